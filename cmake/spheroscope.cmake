@@ -1,0 +1,33 @@
+# What every target of ours gets: strict warnings, reproducible floating point, the root as include path.
+add_library(spheroscope_flags INTERFACE)
+target_include_directories(spheroscope_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(spheroscope_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wold-style-cast -Wdouble-promotion
+  # a*b+c is rounded twice everywhere, so that results do not depend on what the compiler fuses
+  -ffp-contract=off)
+if(SPHEROSCOPE_WERROR)
+  target_compile_options(spheroscope_flags INTERFACE -Werror)
+endif()
+if(SPHEROSCOPE_CHECKS)
+  target_compile_definitions(spheroscope_flags INTERFACE SPHEROSCOPE_CHECKS)
+endif()
+find_package(Threads REQUIRED)
+target_link_libraries(spheroscope_flags INTERFACE Threads::Threads)
+
+find_package(Eigen3 REQUIRED NO_MODULE)
+add_library(spheroscope_eigen INTERFACE)
+target_include_directories(spheroscope_eigen SYSTEM INTERFACE /usr/include/eigen3)
+# Without SIMD in Eigen's small types the sums have one order on every machine.
+target_compile_definitions(spheroscope_eigen INTERFACE EIGEN_DONT_VECTORIZE EIGEN_MPL2_ONLY)
+
+# spheroscope_library(NAME FOLDER deps...): a static library of all sources of a folder of engine/.
+# The link list is the dependency rule: what is not listed cannot be used without a link error.
+function(spheroscope_library name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "main\\.cpp$")
+  if(NOT sources)
+    return()
+  endif()
+  add_library(spheroscope_${name} STATIC ${sources})
+  target_link_libraries(spheroscope_${name} PUBLIC spheroscope_flags spheroscope_eigen ${ARGN})
+endfunction()

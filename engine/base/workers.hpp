@@ -1,0 +1,79 @@
+#pragma once
+
+#include <atomic>
+#include <barrier>
+#include <cstdint>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace spheroscope {
+
+/// A small pool of threads that all run the same function (one parallel region), with a barrier
+/// inside it. Why not OpenMP: its barriers spin on a busy machine, and ThreadSanitizer cannot see
+/// them. The caller is member 0, so a pool of one starts no thread at all.
+///
+/// Nothing here may change a result: work is cut by item (cell, cell pair), every item is computed
+/// by one member, and sums over items are taken in index order. Then the bits do not depend on the
+/// number of threads, and `loop` may hand out items in any order.
+class Workers {
+  public:
+    explicit Workers(int n_threads);
+    ~Workers();
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    [[nodiscard]] int size() const { return n_threads_; }
+
+    /// What a member sees inside a region.
+    class Member {
+      public:
+        [[nodiscard]] int index() const { return index_; }
+        /// Waits for all members of the region. Every member must call it equally often.
+        void wait();
+        /// This member's share of n_items, contiguous; the shares of all members tile 0..n_items-1.
+        struct Range {
+            int begin, end;
+        };
+        [[nodiscard]] Range share(int n_items) const;
+
+      private:
+        friend class Workers;
+        Member(Workers* workers, int index) : workers_(workers), index_(index) {}
+        Workers* workers_;
+        int index_;
+    };
+
+    /// Runs f on every member; returns when all are done. f must not throw.
+    void region(const std::function<void(Member&)>& f);
+
+    /// Calls f(item) for the items 0..n_items-1, each by whichever member is free next.
+    template <class F> void loop(int n_items, const F& f) {
+        ticket_.store(0, std::memory_order_relaxed);
+        region([&](Member& member) {
+            std::int64_t& done = items_done_[static_cast<std::size_t>(member.index_)].count;
+            for (int item = next_ticket(); item < n_items; item = next_ticket(), ++done) f(item);
+        });
+    }
+
+    /// Items that each member has computed since the pool was made (a test asserts that all worked).
+    [[nodiscard]] std::vector<std::int64_t> items_done() const;
+
+  private:
+    struct alignas(64) Counter {
+        std::int64_t count = 0;
+    };
+    [[nodiscard]] int next_ticket() { return ticket_.fetch_add(1, std::memory_order_relaxed); }
+    void thread_main(int index);
+
+    int n_threads_;
+    std::atomic<int> ticket_{0};
+    std::barrier<> inside_;  // between the phases of a region
+    std::barrier<> gate_;    // start and end of a region
+    const std::function<void(Member&)>* job_ = nullptr;
+    bool stop_ = false;
+    std::vector<Counter> items_done_;
+    std::vector<std::thread> threads_;
+};
+
+}  // namespace spheroscope

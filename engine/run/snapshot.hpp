@@ -1,0 +1,89 @@
+#pragma once
+
+#include "engine/measures/fields.hpp"
+#include "engine/model/mesh_topology.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace spheroscope {
+
+/// Everything about a run that does not change from frame to frame. Shared by all its snapshots.
+struct RunHeader {
+    std::shared_ptr<const MeshTopology> topology;
+    int n_cells = 0;
+    std::string title;              ///< scene title, shown in pictures
+    std::string scene_name;         ///< file name without folder, "first_light.toml"
+    std::string resolved_scene;     ///< the scene as resolved, TOML text
+    std::uint64_t seed = 0;
+    std::string version;            ///< program version with commit
+    std::string command_line;
+    std::vector<const Field*> fields;  ///< the fields that each snapshot carries, in this order
+    std::vector<float> radius_um;      ///< [n_cells] rest radius
+};
+
+/// One touching pair of cells, cell_a < cell_b.
+struct ContactLink {
+    int cell_a, cell_b;
+    float force_nN;     ///< F_ab . n_ab: > 0 repulsion (compression), < 0 adhesion (tension)
+    float area_um2;     ///< clip area, one-sided
+};
+
+/// Numbers of the whole aggregate at one time; NaN where undefined (then shown as 'undefined').
+struct Totals {
+    double contact_fraction;      ///< 2 sum S_AB / sum S_A
+    double coordination_Z;        ///< 2 n_links / n_cells
+    double sigma_h_core_kPa;      ///< unweighted mean over core cells
+    double sigma_h_rim_kPa;       ///< unweighted mean over the other cells
+    int n_core_cells;
+    double virial_defect;         ///< |sum V sigma_h| / sum V |sigma_h|
+    double mean_pressure_kPa;
+    double volume_error;          ///< max |V - V*| / V*
+    double smallest_triangle;     ///< smallest area / mean area of its cell
+    int n_flipped_triangles;
+    int n_folds;                  ///< edges with n1 . n2 < -0.5
+    double normal_speed_rms_um_per_s;
+    double tangential_speed_max_um_per_s;
+    double energy_fJ;             ///< stored energy of the conservative terms
+    double dissipation_nN_um_per_s;  ///< v . Gamma v
+    double power_residual;        ///< (dE/dt + v . Gamma v - work of walls and loads) / (v . Gamma v)
+};
+
+/// How the engine got from the frame before to this one.
+struct Diagnostics {
+    std::int64_t steps = 0;            ///< accepted since the start of the run
+    std::int64_t rejected_steps = 0;
+    std::int64_t linear_iterations = 0;
+    double dt_s = 0.0;                 ///< last accepted step
+    double force_residual_nN = 0.0;    ///< RMS nodal force of all terms
+    double force_balance_nN = 0.0;     ///< |sum of all forces|
+    double step_error_um = 0.0;        ///< last error estimate
+    double wall_radius_um = 0.0;       ///< 0: no wall
+    double wall_force_nN = 0.0;
+};
+
+/// One frame, immutable once published; float32, because it is for eyes and files. The engine's own
+/// numbers are double and go to checkpoints.
+struct Snapshot {
+    std::shared_ptr<const RunHeader> header;
+    int frame = 0;
+    double time_s = 0.0;          ///< model time; seeding happens at 0
+    int stage = 0;                ///< index of the stage in the scene
+    std::string stage_name;       ///< "anneal", "compact", ...
+    double stage_progress = 0.0;  ///< 0..1 where the stage knows its end, else NaN
+    std::vector<float> x_um;      ///< [n_cells * n_nodes * 3]
+    std::vector<float> normal;    ///< [n_cells * n_nodes * 3], outward unit node normals
+    std::vector<std::vector<float>> fields;  ///< one array for each of header->fields
+    std::vector<float> centre_um;            ///< [n_cells * 3]
+    std::vector<float> pressure_kPa;         ///< [n_cells]
+    std::vector<float> volume_um3;           ///< [n_cells]
+    std::vector<ContactLink> links;
+    Totals totals{};
+    Diagnostics diagnostics;
+};
+
+using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+}  // namespace spheroscope
