@@ -11,23 +11,32 @@ endif()
 if(SPHEROSCOPE_CHECKS)
   target_compile_definitions(spheroscope_flags INTERFACE SPHEROSCOPE_CHECKS)
 endif()
+if(SPHEROSCOPE_SANITIZE)
+  set(sanitizer_flags -fsanitize=${SPHEROSCOPE_SANITIZE} -fno-omit-frame-pointer
+                      -fno-sanitize-recover=all)
+  target_compile_options(spheroscope_flags INTERFACE ${sanitizer_flags})
+  target_link_options(spheroscope_flags INTERFACE ${sanitizer_flags})
+endif()
 find_package(Threads REQUIRED)
 target_link_libraries(spheroscope_flags INTERFACE Threads::Threads)
 
 find_package(Eigen3 REQUIRED NO_MODULE)
 add_library(spheroscope_eigen INTERFACE)
-target_include_directories(spheroscope_eigen SYSTEM INTERFACE /usr/include/eigen3)
+target_include_directories(spheroscope_eigen SYSTEM INTERFACE ${EIGEN3_INCLUDE_DIRS})
 # Without SIMD in Eigen's small types the sums have one order on every machine.
 target_compile_definitions(spheroscope_eigen INTERFACE EIGEN_DONT_VECTORIZE EIGEN_MPL2_ONLY)
 
-# spheroscope_library(NAME FOLDER deps...): a static library of all sources of a folder of engine/.
+# spheroscope_library(NAME deps...): a static library of all sources of the folder NAME of engine/.
 # The link list is the dependency rule: what is not listed cannot be used without a link error.
+# A folder that has headers only passes its dependencies on.
 function(spheroscope_library name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "main\\.cpp$")
-  if(NOT sources)
-    return()
+  if(sources)
+    add_library(spheroscope_${name} STATIC ${sources})
+    target_link_libraries(spheroscope_${name} PUBLIC spheroscope_flags spheroscope_eigen ${ARGN})
+  else()
+    add_library(spheroscope_${name} INTERFACE)
+    target_link_libraries(spheroscope_${name} INTERFACE spheroscope_flags spheroscope_eigen ${ARGN})
   endif()
-  add_library(spheroscope_${name} STATIC ${sources})
-  target_link_libraries(spheroscope_${name} PUBLIC spheroscope_flags spheroscope_eigen ${ARGN})
 endfunction()
