@@ -1,0 +1,82 @@
+#include "engine/forces/bending.hpp"
+
+#include "engine/forces/cell_stiffness.hpp"
+#include "engine/forces/cell_view.hpp"
+#include "engine/forces/parameter_check.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace spheroscope {
+
+std::array<Vec3, 4> hinge_angle_gradient(const Vec3& i, const Vec3& j, const Vec3& a,
+                                         const Vec3& b) {
+    const Vec3 e = j - i;
+    const double length2 = e.squaredNorm();
+    const double length = std::sqrt(length2);
+    const Vec3 m_left = e.cross(a - i);
+    const Vec3 m_right = (b - i).cross(e);
+    // Raising a or b flattens a convex hinge, the faster the nearer it is to the edge; where the feet
+    // of a and b stand on the edge says how i and j share the opposite motion.
+    const Vec3 by_a = (-length / m_left.squaredNorm()) * m_left;
+    const Vec3 by_b = (-length / m_right.squaredNorm()) * m_right;
+    const double foot_a = (a - i).dot(e) / length2;
+    const double foot_b = (b - i).dot(e) / length2;
+    return {(foot_a - 1.0) * by_a + (foot_b - 1.0) * by_b, -foot_a * by_a - foot_b * by_b, by_a,
+            by_b};
+}
+
+double hinge_energy_fJ(double k_fJ, double theta_rad, double rest_rad) {
+    const double s = std::sin(0.5 * (theta_rad - rest_rad));
+    return 2.0 * k_fJ * s * s;
+}
+
+Bending::Bending(Loc loc, const BendingParameters& p)
+    : ForceTerm(std::move(loc)), k_fJ_(k_bend_fJ(p.E_kPa, p.thickness_um, p.poisson, p.factor)) {
+    want_positive(this->loc(), "cortex.bending.E", p.E_kPa, "kPa");
+    want_positive(this->loc(), "cortex.thickness", p.thickness_um, "um");
+    want_positive(this->loc(), "cortex.bending.factor", p.factor, "");
+    want_between(this->loc(), "cortex.bending.poisson", p.poisson, -1.0, 1.0, "");
+}
+
+void Bending::add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const {
+    const CellView view(at, cell);
+    for (std::size_t n = 0; n < view.mesh.edges.size(); ++n) {
+        const MeshTopology::Edge& e = view.mesh.edges[n];
+        const Vec3 &i = view.x(e.i), &j = view.x(e.j), &a = view.x(e.a), &b = view.x(e.b);
+        const double turn = hinge_angle(i, j, a, b) - view.model.rest_hinge_angle_rad[n];
+        const double moment = k_fJ_ * std::sin(turn);  // dU/dtheta, eqn (9)
+        const std::array<Vec3, 4> g = hinge_angle_gradient(i, j, a, b);
+        at_node(F_nN, e.i) -= moment * g[0];
+        at_node(F_nN, e.j) -= moment * g[1];
+        at_node(F_nN, e.a) -= moment * g[2];
+        at_node(F_nN, e.b) -= moment * g[3];
+    }
+}
+
+std::optional<double> Bending::energy_fJ(const Configuration& at, int cell) const {
+    const CellView view(at, cell);
+    double sum = 0.0;
+    for (std::size_t n = 0; n < view.mesh.edges.size(); ++n) {
+        const MeshTopology::Edge& e = view.mesh.edges[n];
+        sum += hinge_energy_fJ(k_fJ_,
+                               hinge_angle(view.x(e.i), view.x(e.j), view.x(e.a), view.x(e.b)),
+                               view.model.rest_hinge_angle_rad[n]);
+    }
+    return sum;
+}
+
+void Bending::add_stiffness(const Configuration& at, int cell, CellStiffness& K) const {
+    const CellView view(at, cell);
+    for (std::size_t n = 0; n < view.mesh.edges.size(); ++n) {
+        const MeshTopology::Edge& e = view.mesh.edges[n];
+        const Vec3 &i = view.x(e.i), &j = view.x(e.j), &a = view.x(e.a), &b = view.x(e.b);
+        const double turn = hinge_angle(i, j, a, b) - view.model.rest_hinge_angle_rad[n];
+        const double curvature = k_fJ_ * std::cos(turn);  // d2U/dtheta2
+        if (curvature > 0.0)
+            K.rank_one_4.push_back(
+                {{e.i, e.j, e.a, e.b}, hinge_angle_gradient(i, j, a, b), curvature});
+    }
+}
+
+}  // namespace spheroscope
