@@ -51,6 +51,8 @@ struct Contacts {
         const auto end = static_cast<std::size_t>(cell_begin[static_cast<std::size_t>(cell) + 1]);
         return std::span(cell_sides).subspan(begin, end - begin);
     }
+    /// Fills cell_begin and cell_sides from `groups`.
+    void index_sides(int n_cells);
     void clear(int n_cells) {
         pairs.clear();
         groups.clear();

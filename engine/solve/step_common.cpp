@@ -1,0 +1,82 @@
+#include "engine/solve/step_common.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spheroscope {
+namespace {
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+}  // namespace
+
+void describe_forces(System& system, StepOutcome& outcome) {
+    double sum2 = 0.0;
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& f : system.force_nN()) {
+        sum2 += f.squaredNorm();
+        sum += f;
+    }
+    outcome.force_rms_nN = std::sqrt(sum2 / static_cast<double>(system.force_nN().size()));
+    outcome.force_sum_nN = sum.norm();
+}
+
+void describe_powers(System& system, const State& state, bool freeze_volume_integral,
+                     std::span<const Vec3> v_um_per_s, StepOutcome& outcome) {
+    VelocitySystem gamma = system.velocity_system(0.0, system.volume_friction());
+    gamma.stiffness = {};
+    const Model& model = system.model();
+    std::vector<double> per_cell(model.radius_um.size(), 0.0);
+    system.workers().loop(gamma.n_groups(),
+                          [&](int group) { gamma.product_of_group(group, v_um_per_s); });
+    system.workers().loop(model.n_cells(), [&](int cell) {
+        thread_local std::vector<Vec3> product;
+        product.resize(idx(model.n_nodes()));
+        gamma.product_of_cell(cell, v_um_per_s, product);
+        const std::span<const Vec3> v = model.cell_nodes(v_um_per_s, cell);
+        for (std::size_t i = 0; i < v.size(); ++i) per_cell[idx(cell)] += v[i].dot(product[i]);
+    });
+    outcome.dissipation_nN_um_per_s = 0.0;
+    for (const double power : per_cell) outcome.dissipation_nN_um_per_s += power;
+
+    outcome.drive_power_nN_um_per_s = 0.0;
+    const SystemParts& parts = system.parts();
+    if (parts.wall != nullptr && state.wall.acts()) {
+        // At fixed x the wall's energy changes by -(sum of radial forces) dR.
+        for (const Vec3& f : system.force_of_term(*parts.wall))
+            outcome.drive_power_nN_um_per_s -= state.wall.speed_um_per_s * f.norm();
+    }
+    if (parts.cytosol != nullptr && !freeze_volume_integral) {
+        const Configuration at = system.configuration();
+        for (int cell = 0; cell < model.n_cells(); ++cell) {
+            const double strain = parts.cytosol->volume_strain(at, cell);
+            outcome.drive_power_nN_um_per_s += parts.cytosol->K_kPa() / parts.cytosol->T_I_s() *
+                                               model.target_volume_um3[idx(cell)] * strain * strain;
+        }
+    }
+}
+
+double largest_speed_um_per_s(std::span<const Vec3> v_um_per_s) {
+    double largest2 = 0.0;
+    for (const Vec3& v : v_um_per_s) largest2 = std::max(largest2, v.squaredNorm());
+    return std::sqrt(largest2);
+}
+
+double largest_cell_rms(const Model& model, std::span<const Vec3> a, std::span<const Vec3> b) {
+    double largest = 0.0;
+    for (int cell = 0; cell < model.n_cells(); ++cell) {
+        const std::span<const Vec3> p = model.cell_nodes(a, cell);
+        const std::span<const Vec3> q = model.cell_nodes(b, cell);
+        double sum2 = 0.0;
+        for (std::size_t i = 0; i < p.size(); ++i) sum2 += (p[i] - q[i]).squaredNorm();
+        largest = std::max(largest, sum2 / static_cast<double>(p.size()));
+    }
+    return std::sqrt(largest);
+}
+
+double step_end_s(double time_s, double dt_s, double limit_s) {
+    const double remaining_s = limit_s - time_s;
+    if (dt_s >= remaining_s * (1.0 - 1e-9)) return limit_s;
+    if (2.0 * dt_s > remaining_s) return time_s + 0.5 * remaining_s;
+    return time_s + dt_s;
+}
+
+}  // namespace spheroscope

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/solve/method.hpp"
+
+namespace spheroscope {
+
+/// Fills the parts of the outcome that describe the forces of the last evaluation.
+void describe_forces(System& system, StepOutcome& outcome);
+
+/// Fills dissipation and drive power for the velocities v at the last evaluation.
+void describe_powers(System& system, const State& state, bool freeze_volume_integral,
+                     std::span<const Vec3> v_um_per_s, StepOutcome& outcome);
+
+/// Largest |v|, um/s.
+[[nodiscard]] double largest_speed_um_per_s(std::span<const Vec3> v_um_per_s);
+
+/// RMS over the nodes of a cell of |a - b|, the largest of all cells.
+[[nodiscard]] double largest_cell_rms(const Model& model, std::span<const Vec3> a,
+                                      std::span<const Vec3> b);
+
+/// End of a step that starts at time_s, wants dt_s and must not pass limit_s: lands exactly on the limit,
+/// and never leaves a remainder that is too small to be a step.
+[[nodiscard]] double step_end_s(double time_s, double dt_s, double limit_s);
+
+}  // namespace spheroscope

@@ -1,0 +1,197 @@
+#include "engine/solve/system.hpp"
+
+#include <algorithm>
+
+namespace spheroscope {
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+/// More iterations than this mean that the matrix is broken, not that the problem is hard: a cell's
+/// friction matrix has a condition number of some hundreds.
+constexpr int k_largest_iterations = 2000;
+
+}  // namespace
+
+std::string Trouble::text() const {
+    std::string text = what;
+    if (!term.empty()) text += " from " + term;
+    if (loc.line > 0) text += " (" + loc.text() + ")";
+    if (cell >= 0) text += ", cell " + std::to_string(cell);
+    if (node >= 0) text += ", node " + std::to_string(node);
+    return text;
+}
+
+System::System(Model model, SystemParts parts, int n_threads)
+    : model_(std::move(model)), parts_(std::move(parts)), workers_(n_threads) {
+    for (const auto& term : parts_.terms) {
+        needs_ = needs_ | term->needs();
+        work_.terms.push_back({std::string(term->name()), 0});
+    }
+    if (parts_.contact) {
+        search_.emplace(*parts_.contact, parts_.contact_skin_um);
+        needs_ = needs_ | Need::contacts | Need::triangles;
+    }
+    geometry_.allocate(model_, needs_);
+    contacts_.clear(model_.n_cells());
+    force_nN_.resize(model_.n_all_nodes());
+    cell_is_finite_.resize(model_.radius_um.size());
+    drag_ = node_drags(model_, parts_.frictions.eta_f_kPa_s);
+    if (parts_.cytosol != nullptr && parts_.cytosol->T_d_s() > 0.0)
+        for (const double target_um3 : model_.target_volume_um3)
+            volume_friction_.push_back(parts_.cytosol->K_kPa() * parts_.cytosol->T_d_s() /
+                                       target_um3);
+}
+
+std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
+                                        std::span<const double> volume_integral_s,
+                                        double wall_radius_um, Detail detail) {
+    x_um_ = x_um;
+    volume_integral_s_ = volume_integral_s;
+    wall_radius_um_ = wall_radius_um;
+    has_stiffness_ = detail == Detail::forces_and_stiffness;
+    if (needs_ != Need::none)
+        workers_.loop(model_.n_cells(), [&](int cell) {
+            geometry_.compute_cell(model_, x_um_, needs_, cell);
+        });
+    if (search_) {
+        search_->find(model_, x_um_, geometry_, workers_, contacts_);
+        ++work_.contact_searches;
+        if (parts_.frictions.contact || has_stiffness_)
+            pairs_.build(model_, contacts_, parts_.frictions.contact,
+                         has_stiffness_ ? parts_.contact->k_kPa_per_um : 0.0, workers_);
+        else pairs_.clear();
+    }
+    if (has_stiffness_) stiffness_.resize(model_.radius_um.size());
+    const Configuration at = configuration();
+    workers_.loop(model_.n_cells(), [&](int cell) {
+        const std::span<Vec3> F = model_.cell_nodes(std::span<Vec3>(force_nN_), cell);
+        std::fill(F.begin(), F.end(), Vec3::Zero());
+        if (has_stiffness_) stiffness_[idx(cell)].clear();
+        for (const auto& term : parts_.terms) {
+            if (!acts(*term)) continue;
+            term->add_force(at, cell, F);
+            if (has_stiffness_) term->add_stiffness(at, cell, stiffness_[idx(cell)]);
+        }
+        cell_is_finite_[idx(cell)] =
+            std::all_of(F.begin(), F.end(), [](const Vec3& f) { return f.allFinite(); }) ? 1 : 0;
+    });
+    ++work_.force_evaluations;
+    if (has_stiffness_) ++work_.stiffness_evaluations;
+    for (std::size_t t = 0; t < parts_.terms.size(); ++t)
+        if (acts(*parts_.terms[t])) ++work_.terms[t].evaluations;
+    if (std::find(cell_is_finite_.begin(), cell_is_finite_.end(), 0) != cell_is_finite_.end())
+        return find_trouble();
+    return {};
+}
+
+std::optional<Trouble> System::find_trouble() {
+    const auto first = std::find(cell_is_finite_.begin(), cell_is_finite_.end(), 0);
+    const int cell = static_cast<int>(first - cell_is_finite_.begin());
+    const Configuration at = configuration();
+    for (const auto& term : parts_.terms) {
+        if (!acts(*term)) continue;
+        std::vector<Vec3> F(idx(model_.n_nodes()), Vec3::Zero());
+        term->add_force(at, cell, F);
+        for (std::size_t i = 0; i < F.size(); ++i)
+            if (!F[i].allFinite())
+                return Trouble{"the force is not finite", std::string(term->name()), cell,
+                               static_cast<int>(i), term->loc()};
+    }
+    return Trouble{"the sum of forces is not finite", "", cell, -1, {}};
+}
+
+Configuration System::configuration() const {
+    return {model_, x_um_, volume_integral_s_, geometry_, contacts_, wall_radius_um_};
+}
+
+double System::energy_fJ() {
+    const Configuration at = configuration();
+    std::vector<double> per_cell(model_.radius_um.size(), 0.0);
+    workers_.loop(model_.n_cells(), [&](int cell) {
+        for (const auto& term : parts_.terms)
+            if (acts(*term)) per_cell[idx(cell)] += term->energy_fJ(at, cell).value_or(0.0);
+    });
+    double sum_fJ = 0.0;
+    for (const double energy_fJ : per_cell) sum_fJ += energy_fJ;
+    return sum_fJ;
+}
+
+std::vector<Vec3> System::force_of_term(const ForceTerm& term) {
+    const Configuration at = configuration();
+    std::vector<Vec3> F(model_.n_all_nodes(), Vec3::Zero());
+    if (acts(term))
+        workers_.loop(model_.n_cells(), [&](int cell) {
+            term.add_force(at, cell, model_.cell_nodes(std::span<Vec3>(F), cell));
+        });
+    return F;
+}
+
+VelocitySystem System::velocity_system(double dt_s, std::span<const double> volume_coefficient) {
+    return {model_,
+            contacts_,
+            drag_,
+            parts_.frictions.edge_nN_s_per_um,
+            pairs_,
+            has_stiffness_ ? std::span<const CellStiffness>(stiffness_)
+                           : std::span<const CellStiffness>(),
+            dt_s,
+            volume_coefficient,
+            geometry_.volume_gradient_um2};
+}
+
+SolveOutcome System::solve_friction(std::span<const Vec3> b, std::span<Vec3> v, double tolerance) {
+    // Gamma alone: the stiffness that the last evaluation may hold is left out by dt = 0.
+    VelocitySystem system = velocity_system(0.0, volume_friction_);
+    system.stiffness = {};
+    const FrictionShape shape = friction_shape();
+    if (!friction_preconditioner_) {
+        if (shape == FrictionShape::diagonal || parts_.frictions.edge_nN_s_per_um == 0.0)
+            friction_preconditioner_ = std::make_unique<DragPreconditioner>();
+        else friction_preconditioner_ = std::make_unique<CortexPreconditioner>();
+    }
+    friction_preconditioner_->prepare(system, workers_);
+    if (const auto* cortex = dynamic_cast<CortexPreconditioner*>(friction_preconditioner_.get()))
+        work_.factorisations = cortex->factorisations();
+    if (shape != FrictionShape::changing) {
+        // No cell is coupled to another one: the preconditioner is the inverse.
+        workers_.loop(model_.n_cells(), [&](int cell) {
+            friction_preconditioner_->apply(cell, model_.cell_nodes(b, cell),
+                                            model_.cell_nodes(v, cell));
+        });
+        if (shape == FrictionShape::fixed) ++work_.direct_solves;
+        return {true, 0, 0.0};
+    }
+    if (!conjugate_gradients_) conjugate_gradients_ = std::make_unique<ConjugateGradients>();
+    const SolveOutcome outcome = conjugate_gradients_->solve(
+        system, *friction_preconditioner_, b, v, tolerance, k_largest_iterations, workers_);
+    ++work_.linear_solves;
+    work_.linear_iterations += outcome.iterations;
+    return outcome;
+}
+
+SolveOutcome System::solve_implicit(double dt_s, std::span<const double> volume_coefficient,
+                                    std::span<const Vec3> b, std::span<Vec3> v, double tolerance) {
+    const VelocitySystem system = velocity_system(dt_s, volume_coefficient);
+    if (!implicit_preconditioner_) implicit_preconditioner_ = std::make_unique<BlockJacobi>();
+    if (!conjugate_gradients_) conjugate_gradients_ = std::make_unique<ConjugateGradients>();
+    implicit_preconditioner_->prepare(system, workers_);
+    const SolveOutcome outcome = conjugate_gradients_->solve(
+        system, *implicit_preconditioner_, b, v, tolerance, k_largest_iterations, workers_);
+    ++work_.linear_solves;
+    work_.linear_iterations += outcome.iterations;
+    return outcome;
+}
+
+Work System::work() const {
+    Work work = work_;
+    if (search_) {
+        work.contact_list_builds = search_->counts().list_builds;
+        work.contact_candidates = search_->counts().candidates;
+        work.contact_pairs = search_->counts().active_pairs;
+        work.contact_too_deep = search_->counts().too_deep;
+    }
+    return work;
+}
+
+}  // namespace spheroscope

@@ -1,0 +1,117 @@
+#pragma once
+
+#include "engine/contact/contact_search.hpp"
+#include "engine/forces/cytosol_pressure.hpp"
+#include "engine/forces/force_term.hpp"
+#include "engine/model/state.hpp"
+#include "engine/solve/conjugate_gradients.hpp"
+#include "engine/solve/friction_matrix.hpp"
+#include "engine/solve/work.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace spheroscope {
+
+/// The parts that a scene names; what is absent is not built.
+struct SystemParts {
+    std::vector<std::unique_ptr<ForceTerm>> terms;
+    const ForceTerm* wall = nullptr;             ///< one of `terms`; acts only while State::wall does
+    const CytosolPressure* cytosol = nullptr;    ///< one of `terms`
+    Frictions frictions;
+    std::optional<ContactLaw> contact;
+    double contact_skin_um = 0.3;                ///< of the candidate lists; results do not depend on it
+};
+
+/// Something went wrong in the numbers; says where, for a message that names term, cell and scene line.
+struct Trouble {
+    std::string what;
+    std::string term;  ///< "" if no single one is to blame
+    int cell = -1;
+    int node = -1;
+    Loc loc;
+    [[nodiscard]] std::string text() const;
+};
+
+/// The right-hand side and the matrices of the equation of motion Gamma v = F, of one configuration at a
+/// time. Knows no method; methods know no term.
+class System {
+  public:
+    System(Model model, SystemParts parts, int n_threads);
+
+    enum class Detail { forces, forces_and_stiffness };
+
+    /// Computes geometry, contacts, F and, if asked, K at these unknowns, with the wall at
+    /// wall_radius_um (0: none). Returns what is not finite, if anything.
+    [[nodiscard]] std::optional<Trouble> evaluate(std::span<const Vec3> x_um,
+                                                  std::span<const double> volume_integral_s,
+                                                  double wall_radius_um, Detail detail);
+
+    // Results of the last evaluation.
+    [[nodiscard]] std::span<const Vec3> force_nN() const { return force_nN_; }
+    [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+    [[nodiscard]] const Contacts& contacts() const { return contacts_; }
+    /// Geometry, contacts and unknowns of the last evaluation, as terms and measures read them.
+    [[nodiscard]] Configuration configuration() const;
+    /// Stored energy of all terms that have one, fJ.
+    [[nodiscard]] double energy_fJ();
+    /// Force of one term alone at the last evaluation [all nodes].
+    [[nodiscard]] std::vector<Vec3> force_of_term(const ForceTerm& term);
+
+    /// (Gamma + dt K) of the last evaluation; dt = 0 and Detail::forces: Gamma alone.
+    /// volume_coefficient [cells] or empty.
+    [[nodiscard]] VelocitySystem velocity_system(double dt_s,
+                                                 std::span<const double> volume_coefficient);
+    /// Coefficient of S S^T in Gamma: K T_d / V*. [cells], or empty if there is no such part.
+    [[nodiscard]] std::span<const double> volume_friction() const { return volume_friction_; }
+
+    /// Solves Gamma v = b in the cheapest way that the scene's frictions allow.
+    [[nodiscard]] SolveOutcome solve_friction(std::span<const Vec3> b, std::span<Vec3> v,
+                                              double tolerance);
+    /// Solves (Gamma + dt K) v = b.
+    [[nodiscard]] SolveOutcome solve_implicit(double dt_s,
+                                              std::span<const double> volume_coefficient,
+                                              std::span<const Vec3> b, std::span<Vec3> v,
+                                              double tolerance);
+
+    [[nodiscard]] const Model& model() const { return model_; }
+    [[nodiscard]] const SystemParts& parts() const { return parts_; }
+    [[nodiscard]] Workers& workers() { return workers_; }
+    [[nodiscard]] FrictionShape friction_shape() const { return shape_of(parts_.frictions); }
+    [[nodiscard]] Need needs() const { return needs_; }
+    [[nodiscard]] Work work() const;
+    [[nodiscard]] Work& counters() { return work_; }
+
+  private:
+    [[nodiscard]] std::optional<Trouble> find_trouble();
+    [[nodiscard]] bool acts(const ForceTerm& term) const {
+        return &term != parts_.wall || wall_radius_um_ > 0.0;
+    }
+
+    Model model_;
+    SystemParts parts_;
+    Workers workers_;
+    Need needs_ = Need::none;
+    std::optional<ContactSearch> search_;
+    std::vector<double> drag_;
+    std::vector<double> volume_friction_;
+    // The last evaluation.
+    std::span<const Vec3> x_um_;
+    std::span<const double> volume_integral_s_;
+    double wall_radius_um_ = 0.0;
+    Geometry geometry_;
+    Contacts contacts_;
+    std::vector<Vec3> force_nN_;
+    std::vector<CellStiffness> stiffness_;
+    bool has_stiffness_ = false;
+    ContactOperator pairs_;
+    std::vector<char> cell_is_finite_;
+    // Solvers; made when first used, so a scene that needs none has none.
+    std::unique_ptr<ConjugateGradients> conjugate_gradients_;
+    std::unique_ptr<Preconditioner> friction_preconditioner_;
+    std::unique_ptr<BlockJacobi> implicit_preconditioner_;
+    Work work_;
+};
+
+}  // namespace spheroscope
