@@ -1,0 +1,20 @@
+# The program: engine/cli/main.cpp, with the verbs of render/ where pictures are built.
+add_custom_target(spheroscope_version
+  COMMAND ${CMAKE_COMMAND} -D OUTPUT=${PROJECT_BINARY_DIR}/version.cpp
+          -D SOURCE_DIR=${PROJECT_SOURCE_DIR} -D VERSION=${PROJECT_VERSION}
+          -P ${PROJECT_SOURCE_DIR}/cmake/write_version.cmake
+  BYPRODUCTS ${PROJECT_BINARY_DIR}/version.cpp VERBATIM)
+set_source_files_properties(${PROJECT_BINARY_DIR}/version.cpp PROPERTIES GENERATED TRUE)
+
+add_executable(spheroscope engine/cli/main.cpp ${PROJECT_BINARY_DIR}/version.cpp)
+add_dependencies(spheroscope spheroscope_version)
+set_target_properties(spheroscope PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+target_link_libraries(spheroscope PRIVATE spheroscope_cli)
+
+# render/verb*.cpp belong to the program, not to the library of pictures: they know the command line.
+file(GLOB render_verbs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/render/verb*.cpp)
+if(SPHEROSCOPE_RENDER AND render_verbs)
+  target_sources(spheroscope PRIVATE ${render_verbs})
+  target_compile_definitions(spheroscope PRIVATE SPHEROSCOPE_HAS_RENDER)
+  spheroscope_use_render(spheroscope)
+endif()

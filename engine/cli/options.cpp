@@ -1,0 +1,92 @@
+#include "engine/cli/options.hpp"
+
+#include "engine/scene/units.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <thread>
+
+namespace spheroscope::cli {
+namespace {
+
+void add_common_option(CLI::App& command, CommonOptions& options, CommonOption wanted) {
+    switch (wanted) {
+    case CommonOption::output:
+        command.add_option("-o,--output", options.output, "file or folder to write")
+            ->type_name("PATH");
+        return;
+    case CommonOption::threads:
+        command.add_option("--threads", options.threads, "threads to compute with (default: all)")
+            ->type_name("N")
+            ->check(CLI::Range(1, 1024));
+        return;
+    case CommonOption::seed:
+        command.add_option("--seed", options.seed, "seed of the random numbers, before the scene's")
+            ->type_name("N");
+        return;
+    case CommonOption::set:
+        command
+            .add_option("--set", options.set,
+                        "change a key of the scene, for instance cells.nodes=642 or "
+                        "'cortex.elastic.E=5 kPa'; may be repeated")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        return;
+    case CommonOption::json:
+        command.add_flag("--json", options.json, "the result as one JSON document");
+        return;
+    case CommonOption::quiet:
+        command.add_flag("--quiet", options.quiet, "only warnings and errors on stderr");
+        return;
+    case CommonOption::resume:
+        command.add_flag("--resume", options.resume, "go on from the last checkpoint");
+        return;
+    case CommonOption::time_limit:
+        command
+            .add_option("--time-limit", options.time_limit,
+                        "stop with a checkpoint after this time, for instance '90 s' or '2 h'")
+            ->type_name("TIME");
+        return;
+    }
+}
+
+}  // namespace
+
+std::vector<scene::Override> CommonOptions::overrides() const {
+    std::vector<scene::Override> result;
+    for (const std::string& text : set) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw Error(fmt::format("--set wants key=value, got '{}'", text),
+                        "for instance --set cells.nodes=642");
+        result.push_back({text.substr(0, equals), text.substr(equals + 1)});
+    }
+    if (seed) result.push_back({"scene.seed", std::to_string(*seed)});
+    return result;
+}
+
+int CommonOptions::n_threads() const {
+    if (threads > 0) return threads;
+    // 0 stands for 'unknown'
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+std::optional<double> CommonOptions::time_limit_s() const {
+    if (time_limit.empty()) return std::nullopt;
+    const scene::Quantity limit = scene::parse_quantity(time_limit, scene::Dimension::time);
+    if (!limit.ok() || !(limit.value > 0.0))
+        throw Error(fmt::format("--time-limit wants a time above zero, got \"{}\" {}", time_limit,
+                                limit.problem),
+                    "for instance --time-limit '20 min'");
+    return limit.value;
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options,
+                        std::initializer_list<CommonOption> wanted) {
+    for (const CommonOption option : wanted) add_common_option(command, options, option);
+}
+
+}  // namespace spheroscope::cli

@@ -1,0 +1,143 @@
+#include "engine/cli/program.hpp"
+
+#include "engine/base/nearest_word.hpp"
+#include "engine/cli/log.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <new>
+#include <string_view>
+
+namespace spheroscope::cli {
+namespace {
+
+const std::string k_verbs_hint = "spheroscope --help lists the verbs";
+
+std::string help_text(std::span<const Verb> verbs) {
+    std::string text = "A microscope for mechanical stress in simulated tissue spheroids.\n\n"
+                       "Usage: spheroscope VERB [arguments]\n\nVerbs:\n";
+    for (const Verb& verb : verbs) text += fmt::format("  {:<10}{}\n", verb.name, verb.summary);
+    text += "\nOptions:\n"
+            "  --help    this text; after a verb: its arguments\n"
+            "  --version version and commit\n\n"
+            "Exit codes: 0 ok, 1 internal error, 2 wrong command line or scene, 3 unstable or not\n"
+            "converged, 4 differs, 5 something outside the program is missing (OpenGL, ffmpeg),\n"
+            "130 and 143 after a signal, with a checkpoint.\n";
+    return text;
+}
+
+const Verb& find_verb(const std::string& name, std::span<const Verb> verbs) {
+    std::vector<std::string> names;
+    for (const Verb& verb : verbs) {
+        if (verb.name == name) return verb;
+        names.push_back(verb.name);
+    }
+    const std::string meant = nearest_word(name, names);
+    throw Error(fmt::format("unknown verb '{}'{}", name,
+                            meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)),
+                k_verbs_hint);
+}
+
+/// The first argument that the verb has no use for, as an error.
+Error unexpected_argument(const std::string& argument, const CLI::App& command,
+                          const std::string& hint) {
+    if (argument.rfind('-', 0) != 0)
+        return Error(fmt::format("unexpected argument '{}'", argument), hint);
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    const std::string meant = nearest_word(argument.substr(0, argument.find('=')), names);
+    return Error(fmt::format("unknown option '{}'{}", argument,
+                             meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)),
+                 hint);
+}
+
+ExitCode run_verb(const Verb& verb, const std::vector<std::string>& arguments) {
+    CLI::App command(verb.summary, "spheroscope " + verb.name);
+    command.allow_extras();  // so that they can be reported with a proposal
+    const VerbAction action = verb.declare(command);
+    const std::string hint =
+        fmt::format("spheroscope {} --help lists what the verb takes", verb.name);
+    try {
+        // CLI11 takes the arguments from the back
+        command.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend() - 1));
+    } catch (const CLI::CallForHelp&) {
+        fmt::print("{}", command.help());
+        return ExitCode::ok;
+    } catch (const CLI::ParseError& error) {
+        throw Error(error.what(), hint);
+    }
+    const std::vector<std::string> unexpected = command.remaining();
+    if (!unexpected.empty()) throw unexpected_argument(unexpected.front(), command, hint);
+    return action(Invocation{command_line_text(arguments)});
+}
+
+ExitCode dispatch(const std::vector<std::string>& arguments, std::span<const Verb> verbs,
+                  const std::string& version) {
+    if (arguments.empty()) {
+        fmt::print(stderr, "{}", help_text(verbs));
+        return ExitCode::usage;
+    }
+    const std::string& first = arguments.front();
+    if (first == "--help" || first == "-h" || first == "help") {
+        fmt::print("{}", help_text(verbs));
+        return ExitCode::ok;
+    }
+    if (first == "--version") {
+        fmt::print("spheroscope {}\n", version);
+        return ExitCode::ok;
+    }
+    if (first.rfind('-', 0) == 0)
+        throw Error(fmt::format("wanted a verb first, got the option '{}'", first), k_verbs_hint);
+    return run_verb(find_verb(first, verbs), arguments);
+}
+
+}  // namespace
+
+std::string command_line_text(const std::vector<std::string>& arguments) {
+    const auto is_plain = [](unsigned char c) {
+        return std::isalnum(c) != 0 || std::string_view("_-+=./:,@%").find(static_cast<char>(c)) !=
+                                           std::string_view::npos;
+    };
+    std::string text = "spheroscope";
+    for (const std::string& argument : arguments) {
+        text += ' ';
+        if (!argument.empty() && std::all_of(argument.begin(), argument.end(), is_plain)) {
+            text += argument;
+            continue;
+        }
+        text += '\'';
+        for (const char c : argument) text += c == '\'' ? "'\\''" : std::string(1, c);
+        text += '\'';
+    }
+    return text;
+}
+
+ExitCode run_program(const std::vector<std::string>& arguments, std::span<const Verb> verbs,
+                     const std::string& version) {
+    try {
+        start_log();
+        const ExitCode code = dispatch(arguments, verbs, version);
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+            throw Error("the result could not be written to stdout", "is the disk full?",
+                        ExitCode::environment);
+        return code;
+    } catch (const Error& error) {
+        print_error(error.what());
+        return error.code();
+    } catch (const std::bad_alloc&) {
+        print_error("error: out of memory");
+        return ExitCode::environment;
+    } catch (const std::exception& error) {
+        print_error(fmt::format("internal error: {}\n  hint: this is a mistake of the program; "
+                                "the command line and this message help to find it",
+                                error.what()));
+        return ExitCode::internal;
+    }
+}
+
+}  // namespace spheroscope::cli
