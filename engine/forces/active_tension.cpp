@@ -38,9 +38,9 @@ void ActiveTension::add_stiffness(const Configuration& at, int cell, CellStiffne
         const auto& [i, j, k] = view.mesh.triangles[t];
         const Vec3 ij = view.x(j) - view.x(i), jk = view.x(k) - view.x(j),
                    ki = view.x(i) - view.x(k);
-        // gamma/2 times the cotangent of the angle at each corner, cot = (dot of its sides)/2A. The one
-        // of an obtuse angle is negative, but the sum over the three sides is
-        // gamma |sum w_a e_a|^2/4A for normal displacements w_a and sides e_a: never negative.
+        // gamma/2 times the cotangent of the angle at each corner, cot = (dot of its sides)/2A.
+        // That of an obtuse angle is negative, but the sum over the three sides is gamma |sum w_a
+        // e_a|^2/4A for normal displacements w_a and sides e_a: never negative.
         const double weight =
             gamma_nN_per_um_ / (4.0 * at.geometry.area_um2[view.first_triangle + t]);
         K.normals.push_back({{i, j, k},

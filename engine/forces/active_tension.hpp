@@ -4,8 +4,9 @@
 
 namespace spheroscope {
 
-/// Force of a tension gamma on node i of the triangle (i, j, k), counter-clockwise seen from outside,
-/// nN: it pulls i towards the opposite side. Eqn (11), which holds for this winding; -gamma dS/dx_i.
+/// Force of a tension gamma on node i of the triangle (i, j, k), counter-clockwise seen from
+/// outside, nN: -gamma dS/dx_i, which pulls i towards the opposite side. Eqn (11), whose sign holds
+/// for this winding.
 [[nodiscard]] inline Vec3 tension_force_nN(double gamma_nN_per_um, const Vec3& j_um,
                                            const Vec3& k_um, const Vec3& normal) {
     return 0.5 * gamma_nN_per_um * (k_um - j_um).cross(normal);
@@ -25,8 +26,8 @@ class ActiveTension final : public ForceTerm {
     [[nodiscard]] Need needs() const override { return Need::triangles; }
     void add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const override;
     [[nodiscard]] std::optional<double> energy_fJ(const Configuration& at, int cell) const override;
-    /// Second variation of the area for displacements along each triangle's normal; the in-plane part
-    /// of the second derivative is indefinite and left out.
+    /// Second variation of the area for displacements along each triangle's normal; the in-plane
+    /// part of the second derivative is indefinite and left out.
     void add_stiffness(const Configuration& at, int cell, CellStiffness& K) const override;
 
     [[nodiscard]] double gamma_nN_per_um() const { return gamma_nN_per_um_; }

@@ -16,8 +16,8 @@ std::array<Vec3, 4> hinge_angle_gradient(const Vec3& i, const Vec3& j, const Vec
     const double length = std::sqrt(length2);
     const Vec3 m_left = e.cross(a - i);
     const Vec3 m_right = (b - i).cross(e);
-    // Raising a or b flattens a convex hinge, the faster the nearer it is to the edge; where the feet
-    // of a and b stand on the edge says how i and j share the opposite motion.
+    // Raising a or b flattens a convex hinge, the faster the nearer it is to the edge; where the
+    // feet of a and b stand on the edge says how i and j share the opposite motion.
     const Vec3 by_a = (-length / m_left.squaredNorm()) * m_left;
     const Vec3 by_b = (-length / m_right.squaredNorm()) * m_right;
     const double foot_a = (a - i).dot(e) / length2;

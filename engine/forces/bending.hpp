@@ -6,18 +6,18 @@
 
 namespace spheroscope {
 
-/// Derivatives of the hinge angle (engine/model/model.hpp) by the places of i, j, a, b, rad/um. They sum
-/// to zero and make no torque. Precondition: neither triangle has zero area.
+/// Derivatives of the hinge angle (engine/model/model.hpp) by the places of i, j, a, b, rad/um.
+/// They sum to zero and make no torque. Precondition: neither triangle has zero area.
 [[nodiscard]] std::array<Vec3, 4> hinge_angle_gradient(const Vec3& i, const Vec3& j, const Vec3& a,
                                                        const Vec3& b);
 
-/// k_bend = factor * E t^3 / 12(1 - nu^2), eqn (10), fJ. With factor 1 (the paper) a regular sheet bends
-/// with 0.866 of the plate's rigidity; factor 2/sqrt(3) gives the plate's.
+/// k_bend = factor * E t^3 / 12(1 - nu^2), eqn (10), fJ. With factor 1 (the paper) a regular sheet
+/// bends with 0.866 of the plate's rigidity; factor 2/sqrt(3) gives the plate's.
 [[nodiscard]] constexpr double k_bend_fJ(double E_kPa, double t_um, double poisson, double factor) {
     return factor * E_kPa * t_um * t_um * t_um / (12.0 * (1.0 - poisson * poisson));
 }
 
-/// Energy of one hinge, eqn (9): k (1 - cos(theta - theta*)), fJ, without the cancellation near rest.
+/// Energy of one hinge, eqn (9): k (1 - cos(theta - theta*)), fJ, without cancellation near rest.
 [[nodiscard]] double hinge_energy_fJ(double k_fJ, double theta_rad, double rest_rad);
 
 struct BendingParameters {

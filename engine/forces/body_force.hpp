@@ -9,8 +9,8 @@ struct BodyForceParameters {
     bool opposed = false;          ///< cell 0 gets +force, cell 1 -force, any other none
 };
 
-/// A constant force on each cell, spread over its nodes by rest area. Not in the paper: it drives the
-/// scenes that measure drag, and pulls doublets apart.
+/// A constant force on each cell, spread over its nodes by rest area. Not in the paper: it drives
+/// the scenes that measure drag, and pulls doublets apart.
 class BodyForce final : public ForceTerm {
   public:
     /// Throws Error unless the force is finite.

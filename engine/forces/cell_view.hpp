@@ -8,8 +8,8 @@
 
 namespace spheroscope {
 
-/// One cell of a configuration, as the loops of the terms read it: local indices, and the factor that
-/// turns rest quantities of the unit cell into those of this one.
+/// One cell of a configuration, as the loops of the terms read it: local indices, and the radius
+/// that turns rest quantities of the unit cell into those of this one.
 struct CellView {
     const Model& model;
     const MeshTopology& mesh;

@@ -9,7 +9,7 @@
 namespace spheroscope {
 namespace {
 
-/// Calls visit(node, k a_i in nN/um, overlap in um, outward direction) for every node beyond the wall.
+/// Calls visit(node, k a_i in nN/um, overlap in um, outward direction) for every node beyond it.
 template <class Visit>
 void for_each_overlap(const Configuration& at, int cell, double k_kPa_per_um, Visit visit) {
     if (at.wall_radius_um == 0.0) return;
@@ -47,6 +47,13 @@ std::optional<double> CompactionWall::energy_fJ(const Configuration& at, int cel
                      [&](int, double k, double overlap, const Vec3&) {
                          sum += 0.5 * k * overlap * overlap;
                      });
+    return sum;
+}
+
+double CompactionWall::load_nN(const Configuration& at, int cell) const {
+    double sum = 0.0;
+    for_each_overlap(at, cell, parameters_.k_kPa_per_um,
+                     [&](int, double k, double overlap, const Vec3&) { sum += k * overlap; });
     return sum;
 }
 

@@ -6,8 +6,9 @@
 
 namespace spheroscope {
 
-/// P_off = (2 gamma/3) A/V, kPa: balances a tension gamma on a closed mesh of this area and volume under
-/// uniform scaling. On a sphere it is the paper's 2 gamma/R; on a mesh it leaves no net expansion.
+/// P_off = (2 gamma/3) A/V, kPa: balances a tension gamma on a closed mesh of this area and volume
+/// under uniform scaling. On a sphere it is the paper's 2 gamma/R; on a mesh it leaves no net
+/// expansion.
 [[nodiscard]] constexpr double offset_pressure_kPa(double gamma_nN_per_um, double area_um2,
                                                    double volume_um3) {
     return 2.0 * gamma_nN_per_um / 3.0 * area_um2 / volume_um3;
@@ -18,15 +19,16 @@ struct CytosolPressureParameters {
     double T_I_s = std::numeric_limits<double>::infinity();  ///< infinite: no integral part
     double T_d_s = 0.0;                                       ///< 0: no derivative part
     double extra_pressure_kPa = 0.0;
-    double gamma_nN_per_um = 0.0;  ///< the tension that the offset pressure balances; 0 without tension
+    double gamma_nN_per_um = 0.0;  ///< what the offset pressure balances; 0 without a tension
 };
 
 /// Pressure of the cytosol on the membrane, eqns (12) and (13): F_i = P dV/dx_i with
 /// P = P_off + P_extra - K eps - (K/T_I) I - K T_d eps', eps = (V - V*)/V*, I' = eps.
 ///
 /// Only the parts that depend on the configuration act here. The derivative part is a friction,
-/// (K T_d/V*) S S^T with S = dV/dx: the methods treat it implicitly (an explicit one grows 144-fold per
-/// step at the paper's values), and also the stiffness (K/V*) S S^T, of rank one over the whole cell.
+/// (K T_d/V*) S S^T with S = dV/dx: the methods treat it implicitly (an explicit one grows 144-fold
+/// per step at the paper's values), and also the stiffness (K/V*) S S^T, of rank one over the whole
+/// cell.
 class CytosolPressure final : public ForceTerm {
   public:
     /// Throws Error unless K > 0, T_I > 0, T_d >= 0 and the others are finite.
@@ -35,8 +37,7 @@ class CytosolPressure final : public ForceTerm {
     [[nodiscard]] std::string_view name() const override { return "cytosol"; }
     [[nodiscard]] Need needs() const override { return Need::volumes; }
     void add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const override;
-    /// F = -dE/dx at a constant integral; with the integral part, E alone does not fall monotonously.
-    /// Zero at V = V*.
+    /// F = -dE/dx at a constant integral; with the integral part this E need not fall. Zero at V*.
     [[nodiscard]] std::optional<double> energy_fJ(const Configuration& at, int cell) const override;
 
     /// eps = (V - V*)/V*.

@@ -11,10 +11,10 @@ struct FoldStopParameters {
     double fold_angle_rad = std::numbers::pi / 2.0;  ///< silent below this turn from the rest angle
 };
 
-/// Keeps soft cortices from folding over: per hinge k/2 (|theta - theta*| - fold angle)+^2 with
-/// k = 2 kappa (S*_left + S*_right). Not in the paper; companion of the strain limiter, which cannot see
-/// a fold. Exactly zero below the fold angle. The force turns over where two triangles lie flat on each
-/// other (a turn of pi), the energy is continuous there. Makes no net force or torque.
+/// Keeps soft cortices from folding over: per hinge k/2 (|theta - theta*| - fold angle)+^2 with k =
+/// 2 kappa (S*_left + S*_right). Not in the paper; companion of the strain limiter, which cannot
+/// see a fold. Exactly zero below the fold angle. At a turn of pi from rest the force changes sign;
+/// the energy is continuous there. Makes no net force or torque.
 class FoldStop final : public ForceTerm {
   public:
     /// Throws Error unless kappa >= 0 and the fold angle is between 0 and pi.

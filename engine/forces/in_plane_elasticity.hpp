@@ -30,8 +30,8 @@ struct InPlaneElasticityParameters {
     double thickness_um = 0.0;
 };
 
-/// Springs on the edges, eqn (8), with k and d* of the rest shape. On a regular mesh they are a sheet of
-/// Young's modulus E t and Poisson ratio 1/3.
+/// Springs on the edges, eqn (8), with k and d* of the rest shape. On a regular mesh they are a
+/// sheet of Young's modulus E t and Poisson ratio 1/3.
 class InPlaneElasticity final : public ForceTerm {
   public:
     /// Throws Error unless E and thickness are > 0.

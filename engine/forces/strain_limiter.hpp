@@ -5,8 +5,9 @@
 namespace spheroscope {
 
 /// Symmetric Dirichlet energy density of the map from a rest triangle to the current one (Smith and
-/// Schaefer 2015), shifted to be 0 at rest: psi = I1 (1 + J^-2)/4 - 1 with I1 the trace of the Cauchy-Green
-/// tensor and J the ratio of areas. About 2 s^2 for a small isotropic strain s; infinite at zero area.
+/// Schaefer 2015), shifted to be 0 at rest: psi = I1 (1 + J^-2)/4 - 1 with I1 the trace of the
+/// Cauchy-Green tensor and J the ratio of areas. About 2 s^2 for a small isotropic strain s;
+/// infinite at zero area.
 [[nodiscard]] constexpr double strain_measure(double I1, double J) {
     return 0.25 * I1 * (1.0 + 1.0 / (J * J)) - 1.0;
 }
@@ -16,10 +17,10 @@ struct StrainLimiterParameters {
     double psi0 = 0.1;  ///< silent below this strain measure: isotropic strains of -20 to +25 %
 };
 
-/// Keeps triangles of soft cortices (E t < gamma) from collapsing. Not in the paper: there springs alone
-/// hold the mesh, and below E t = gamma/2 they cannot. Per triangle kappa S* g(psi),
-/// g = y^2/(y + psi0), y = max(0, psi - psi0): exactly zero within the silent range, continuous to the
-/// first derivative, and growing like J^-2 towards zero area. Makes no net force or torque.
+/// Keeps triangles of soft cortices (E t < gamma) from collapsing. Not in the paper: there springs
+/// alone hold the mesh, and springs this soft do not. Per triangle kappa S* g(psi),
+/// g = y^2/(y + psi0), y = max(0, psi - psi0): exactly zero within the silent range, continuous to
+/// the first derivative, and growing like J^-2 towards zero area. Makes no net force or torque.
 class StrainLimiter final : public ForceTerm {
   public:
     /// Throws Error unless kappa >= 0 and psi0 > 0.

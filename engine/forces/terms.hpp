@@ -5,8 +5,8 @@
 
 namespace spheroscope {
 
-/// What is known about a force term without making one: for documentation, `check --explain` and tests
-/// that loop over all terms. What only one cell's nodes feel stands here.
+/// What is known about a force term without making one: for documentation, `check --explain` and
+/// tests that loop over all terms.
 struct ForceTermRow {
     std::string_view name;      ///< ForceTerm::name(); begins with its table in the scene
     std::string_view equation;  ///< of Cuvelier et al. 2021; empty: not in the paper
