@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -15,6 +14,9 @@ enum class Place { node, triangle, cell };
 /// What kind of number it is decides the colour map and the range: `signed_about_zero` gets a diverging map,
 /// symmetric about zero (compression blue, tension red); `magnitude` a sequential one from zero.
 enum class RangeKind { signed_about_zero, magnitude };
+
+/// The part of the model without which a field has no meaning in a scene.
+enum class Requires { nothing, elastic, contact, cytosol };
 
 /// One row of the table of fields: everything that the legend, the file, the panel and the docs need.
 /// A value of NaN means 'there is nothing to measure here' (a triangle without contact), never zero.
@@ -31,6 +33,7 @@ struct Field {
     std::string_view source;       ///< e.g. "Cuvelier et al. 2021, eqn (3)"
     /// Fills `out` (size by `place`). Reads only what the input holds.
     void (*compute)(const MeasureInput&, std::span<float> out);
+    Requires requires_part = Requires::nothing;
 };
 
 /// All fields, in the order of legends and combo boxes.

@@ -1,0 +1,69 @@
+#include "engine/measures/measure_input.hpp"
+
+namespace spheroscope {
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+/// Calls f(cell, node, position relative to `origin`, force) for the six nodes of a pair.
+template <class F>
+void for_nodes_of_pair(const Configuration& at, const Contacts::Group& group,
+                       const ContactPair& pair, const F& f) {
+    const MeshTopology& mesh = *at.model.topology;
+    const auto side = [&](int cell, int triangle, const std::array<double, 3>& magnitude,
+                          double sign) {
+        const std::span<const Vec3> x = at.model.cell_nodes(at.x_um, cell);
+        const auto& nodes = mesh.triangles[idx(triangle)];
+        for (std::size_t i = 0; i < 3; ++i)
+            f(cell, x[idx(nodes[i])], Vec3((sign * magnitude[i]) * pair.normal));
+    };
+    side(group.cell_a, pair.triangle_a, pair.force_a_nN, 1.0);
+    side(group.cell_b, pair.triangle_b, pair.force_b_nN, -1.0);
+}
+
+}  // namespace
+
+std::vector<Mat3> cell_stress_tensors(const Configuration& at) {
+    std::vector<Mat3> stress(at.model.radius_um.size(), Mat3::Zero());
+    for (const Contacts::Group& group : at.contacts.groups)
+        for (const ContactPair& pair : at.contacts.pairs_of(group)) {
+            Mat3 pair_virial = Mat3::Zero();
+            for_nodes_of_pair(at, group, pair, [&](int cell, const Vec3& x, const Vec3& F) {
+                stress[idx(cell)] += F * (x - at.geometry.centre_um[idx(cell)]).transpose();
+                pair_virial -= F * (x - pair.centroid_um).transpose();
+            });
+            stress[idx(group.cell_a)] += 0.5 * pair_virial;
+            stress[idx(group.cell_b)] += 0.5 * pair_virial;
+        }
+    for (std::size_t cell = 0; cell < stress.size(); ++cell) {
+        const Mat3 symmetric = 0.5 * (stress[cell] + stress[cell].transpose());
+        stress[cell] = symmetric / at.geometry.volume_um3[cell];
+    }
+    return stress;
+}
+
+std::vector<double> hydrostatic_stress_from_inside(const Configuration& at,
+                                                   std::span<const Vec3> force_nN) {
+    std::vector<double> virial(at.model.radius_um.size(), 0.0);
+    for (int cell = 0; cell < at.model.n_cells(); ++cell) {
+        const std::span<const Vec3> F = at.model.cell_nodes(force_nN, cell);
+        const std::span<const Vec3> x = at.model.cell_nodes(at.x_um, cell);
+        for (std::size_t i = 0; i < F.size(); ++i)
+            virial[idx(cell)] -= F[i].dot(x[i] - at.geometry.centre_um[idx(cell)]);
+    }
+    for (const Contacts::Group& group : at.contacts.groups)
+        for (const ContactPair& pair : at.contacts.pairs_of(group)) {
+            double pair_virial = 0.0;
+            for_nodes_of_pair(at, group, pair, [&](int cell, const Vec3& x, const Vec3& F) {
+                virial[idx(cell)] += F.dot(x - at.geometry.centre_um[idx(cell)]);
+                pair_virial -= F.dot(x - pair.centroid_um);
+            });
+            virial[idx(group.cell_a)] += 0.5 * pair_virial;
+            virial[idx(group.cell_b)] += 0.5 * pair_virial;
+        }
+    for (std::size_t cell = 0; cell < virial.size(); ++cell)
+        virial[cell] /= 3.0 * at.geometry.volume_um3[cell];
+    return virial;
+}
+
+}  // namespace spheroscope
