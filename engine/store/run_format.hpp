@@ -1,0 +1,51 @@
+#pragma once
+
+#include "engine/run/snapshot.hpp"
+#include "engine/store/hdf5_file.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+// What the writer and the reader of a run must agree on (engine/store/README.md is the description).
+namespace spheroscope::run_format {
+
+inline constexpr std::string_view k_format = "spheroscope run";
+/// Goes up when a reader of the version before would misunderstand the file.
+inline constexpr std::int64_t k_format_version = 1;
+
+/// A column of /diagnostics: one number of the whole aggregate per frame.
+struct Column {
+    std::string_view name;  ///< the member's
+    std::string_view unit;
+    std::variant<double Totals::*, int Totals::*, double Diagnostics::*, std::int64_t Diagnostics::*>
+        member;
+};
+/// All members of Totals and Diagnostics.
+[[nodiscard]] std::span<const Column> columns();
+[[nodiscard]] double column_value(const Column& column, const Snapshot& frame);
+/// Throws Error if a count is not a whole number.
+void set_column_value(const Column& column, Snapshot& frame, double value,
+                      const std::string& path);
+
+[[nodiscard]] std::string column_path(const Column& column);  ///< "/diagnostics/dt"
+[[nodiscard]] std::string step_path(int frame);               ///< "/steps/000012"
+
+/// "/steps/000012/fields/sigma_nn"
+[[nodiscard]] std::string field_path(int frame, std::string_view field);
+/// Entries of the arrays at a place, all cells together.
+[[nodiscard]] std::uint64_t n_entries(const RunHeader& header, Place place);
+[[nodiscard]] std::string_view place_name(Place place);
+
+/// Writes everything that does not change from frame to frame, with no frame yet.
+void write_header(hdf5::File& file, const RunHeader& header);
+
+/// Reads it back. The rows of `fields` come from the file, without `compute`, and live as long as the result:
+/// so a file keeps the meaning that its numbers had when they were written. Throws Error for a file that is
+/// not ours, newer than this program, or inconsistent.
+[[nodiscard]] std::shared_ptr<const RunHeader> read_header(const hdf5::File& file);
+
+}  // namespace spheroscope::run_format

@@ -1,0 +1,99 @@
+#include "engine/base/error.hpp"
+#include "engine/store/hdf5_file.hpp"
+#include "engine/store/run_file.hpp"
+#include "engine/store/run_format.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spheroscope {
+namespace {
+
+using hdf5::File;
+
+std::vector<ContactLink> read_contacts(const File& file, const std::string& step, int n_cells) {
+    const hdf5::Shape shape = file.shape(step + "/contacts/pairs");
+    const std::uint64_t n = shape.at(0);
+    const auto pairs = file.read_array<std::int32_t>(step + "/contacts/pairs", {n, 2});
+    const auto forces = file.read_array<float>(step + "/contacts/force", {n});
+    const auto areas = file.read_array<float>(step + "/contacts/area", {n});
+    std::vector<ContactLink> links;
+    for (std::uint64_t k = 0; k < n; ++k) {
+        const int a = pairs[2 * k], b = pairs[2 * k + 1];
+        if (a < 0 || b <= a || b >= n_cells)
+            file.fail(fmt::format("{} has a contact between cells {} and {}", step, a, b));
+        links.push_back({a, b, forces[k], areas[k]});
+    }
+    return links;
+}
+
+RunEnd read_end(const File& file) {
+    return {file.int_attribute("/", "complete") != 0, file.text_attribute("/", "outcome"),
+            file.double_attribute("/", "wall_time_s")};
+}
+
+}  // namespace
+
+RunFileReader::RunFileReader(std::string path) : path_(std::move(path)) {
+    const File file(path_, File::Mode::read);
+    header_ = run_format::read_header(file);
+    time_s_ = file.read_array<double>("/time");
+    const auto bad = std::find_if_not(time_s_.begin(), time_s_.end(),
+                                      [](double time_s) { return std::isfinite(time_s); });
+    if (bad != time_s_.end())
+        file.fail(fmt::format("the time of frame {} is {}", bad - time_s_.begin(), *bad));
+    end_ = read_end(file);
+}
+
+double RunFileReader::time(int frame) const {
+    if (frame < 0 || frame >= n_frames())
+        throw Error(Loc{path_},
+                    fmt::format("wanted frame {}, got a run of {} frames", frame, n_frames()),
+                    "frames are counted from 0");
+    return time_s_[static_cast<std::size_t>(frame)];
+}
+
+SnapshotPtr RunFileReader::frame(int number) const {
+    auto frame = std::make_shared<Snapshot>();
+    frame->header = header_;
+    frame->frame = number;
+    frame->time_s = time(number);
+
+    const File file(path_, File::Mode::read);
+    const std::string step = run_format::step_path(number);
+    if (!file.exists(step)) file.fail("frame " + std::to_string(number) + " is missing");
+    const auto n_cells = static_cast<std::uint64_t>(header_->n_cells);
+    const std::uint64_t n_nodes = run_format::n_entries(*header_, Place::node);
+    frame->stage = static_cast<int>(file.int_attribute(step, "stage"));
+    frame->stage_name = file.text_attribute(step, "stage_name");
+    frame->stage_progress = file.double_attribute(step, "stage_progress");
+    frame->x_um = file.read_array<float>(step + "/x", {n_nodes, 3});
+    frame->normal = file.read_array<float>(step + "/normal", {n_nodes, 3});
+    for (const Field* field : header_->fields)
+        frame->fields.push_back(
+            file.read_array<float>(run_format::field_path(number, field->name),
+                                   {run_format::n_entries(*header_, field->place)}));
+    frame->centre_um = file.read_array<float>(step + "/cells/centre", {n_cells, 3});
+    frame->pressure_kPa = file.read_array<float>(step + "/cells/pressure", {n_cells});
+    frame->volume_um3 = file.read_array<float>(step + "/cells/volume", {n_cells});
+    frame->links = read_contacts(file, step, header_->n_cells);
+    for (const run_format::Column& column : run_format::columns()) {
+        const std::string path = run_format::column_path(column);
+        const std::vector<double> values = file.read_array<double>(path);
+        if (values.size() <= static_cast<std::size_t>(number))
+            file.fail(fmt::format("{} has no value for frame {}", path, number));
+        run_format::set_column_value(column, *frame, values[static_cast<std::size_t>(number)],
+                                     path_);
+    }
+    const auto bad = std::find_if_not(frame->x_um.begin(), frame->x_um.end(),
+                                      [](float x) { return std::isfinite(x); });
+    if (bad != frame->x_um.end())
+        file.fail(fmt::format("{}/x holds {} where a position should be", step, *bad));
+    if (file.double_attribute(step, "time_s") != frame->time_s)
+        file.fail(fmt::format("{} and /time disagree about the time of frame {}", step, number));
+    return frame;
+}
+
+}  // namespace spheroscope

@@ -1,0 +1,172 @@
+#include "engine/base/error.hpp"
+#include "engine/store/hdf5_file.hpp"
+#include "engine/store/run_file.hpp"
+#include "engine/store/run_format.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace spheroscope {
+namespace {
+
+using hdf5::File;
+using hdf5::Packing;
+using hdf5::Shape;
+
+void write_end(File& file, const RunEnd& end) {
+    file.write_attribute("/", "complete", std::int64_t{end.is_complete ? 1 : 0});
+    file.write_attribute("/", "outcome", end.outcome);
+    file.write_attribute("/", "wall_time_s", end.wall_time_s);
+}
+
+void write_floats(File& file, const std::string& object, const std::vector<float>& values,
+                  const Shape& shape, std::string_view unit) {
+    file.write_array<float>(object, values, shape, Packing::gzip);
+    file.write_attribute(object, "unit", std::string(unit));
+}
+
+void check_positions(const File& file, const Snapshot& frame) {
+    const auto n_nodes = static_cast<std::size_t>(frame.header->topology->n_nodes());
+    for (std::size_t k = 0; k < frame.x_um.size(); ++k)
+        if (!std::isfinite(frame.x_um[k]))
+            throw Error(Loc{file.path()},
+                        fmt::format("frame {} is not stored: the position of cell {}, node {} is {}",
+                                    frame.frame, k / 3 / n_nodes, k / 3 % n_nodes, frame.x_um[k]),
+                        "the run became unstable", ExitCode::not_converged);
+    if (!std::isfinite(frame.time_s))
+        throw Error(Loc{file.path()},
+                    fmt::format("frame {} is not stored: its time is {}", frame.frame, frame.time_s),
+                    "", ExitCode::not_converged);
+}
+
+void write_contacts(File& file, const std::string& step, const std::vector<ContactLink>& links) {
+    std::vector<std::int32_t> pairs;
+    std::vector<float> forces, areas;
+    for (const ContactLink& link : links) {
+        pairs.insert(pairs.end(), {link.cell_a, link.cell_b});
+        forces.push_back(link.force_nN);
+        areas.push_back(link.area_um2);
+    }
+    file.create_group(step + "/contacts");
+    file.write_array<std::int32_t>(step + "/contacts/pairs", pairs, {links.size(), 2},
+                                   Packing::gzip);
+    write_floats(file, step + "/contacts/force", forces, {links.size()}, "nN");
+    write_floats(file, step + "/contacts/area", areas, {links.size()}, "um^2");
+}
+
+void write_step(File& file, const Snapshot& frame) {
+    const RunHeader& header = *frame.header;
+    const auto n_cells = static_cast<std::uint64_t>(header.n_cells);
+    const std::uint64_t n_nodes = run_format::n_entries(header, Place::node);
+    SPHEROSCOPE_ASSERT(frame.x_um.size() == 3 * n_nodes, "positions");
+    SPHEROSCOPE_ASSERT(frame.fields.size() == header.fields.size(), "fields");
+
+    const std::string step = run_format::step_path(frame.frame);
+    file.create_group(step);
+    file.write_attribute(step, "time_s", frame.time_s);
+    file.write_attribute(step, "stage", std::int64_t{frame.stage});
+    file.write_attribute(step, "stage_name", frame.stage_name);
+    file.write_attribute(step, "stage_progress", frame.stage_progress);
+    write_floats(file, step + "/x", frame.x_um, {n_nodes, 3}, "um");
+    write_floats(file, step + "/normal", frame.normal, {n_nodes, 3}, "1");
+
+    file.create_group(step + "/fields");
+    for (std::size_t f = 0; f < header.fields.size(); ++f) {
+        const Field& field = *header.fields[f];
+        const std::string object = run_format::field_path(frame.frame, field.name);
+        write_floats(file, object, frame.fields[f], {run_format::n_entries(header, field.place)},
+                     field.unit);
+        file.write_attribute(object, "place", std::string(run_format::place_name(field.place)));
+    }
+    file.create_group(step + "/cells");
+    write_floats(file, step + "/cells/centre", frame.centre_um, {n_cells, 3}, "um");
+    write_floats(file, step + "/cells/pressure", frame.pressure_kPa, {n_cells}, "kPa");
+    write_floats(file, step + "/cells/volume", frame.volume_um3, {n_cells}, "um^3");
+    write_contacts(file, step, frame.links);
+}
+
+/// The first thing in which two runs differ, "" if they are the same.
+std::string difference(const RunHeader& stored, const RunHeader& wanted) {
+    if (stored.seed != wanted.seed)
+        return fmt::format("seed {}, got seed {}", wanted.seed, stored.seed);
+    if (stored.n_cells != wanted.n_cells)
+        return fmt::format("{} cells, got {}", wanted.n_cells, stored.n_cells);
+    if (stored.topology->triangles != wanted.topology->triangles)
+        return fmt::format("the mesh with {} nodes, got one with {}", wanted.topology->n_nodes(),
+                           stored.topology->n_nodes());
+    if (stored.radius_um != wanted.radius_um) return "the same radii, got others";
+    const auto names = [](const RunHeader& header) {
+        std::string text;
+        for (const Field* field : header.fields)
+            text += (text.empty() ? "" : ", ") + std::string(field->name);
+        return text;
+    };
+    if (names(stored) != names(wanted))
+        return fmt::format("the fields {}, got {}", names(wanted), names(stored));
+    if (stored.resolved_scene != wanted.resolved_scene) return "the same scene, got another one";
+    return "";
+}
+
+}  // namespace
+
+RunFileWriter::RunFileWriter(std::unique_ptr<File> file, int n_frames)
+    : file_(std::move(file)), n_frames_(n_frames) {}
+RunFileWriter::~RunFileWriter() = default;
+RunFileWriter::RunFileWriter(RunFileWriter&&) noexcept = default;
+RunFileWriter& RunFileWriter::operator=(RunFileWriter&&) noexcept = default;
+
+RunFileWriter RunFileWriter::create(const std::string& path, const RunHeader& header,
+                                    Existing existing) {
+    std::error_code ignored;  // opening the file says what is wrong
+    if (existing == Existing::refuse && std::filesystem::is_regular_file(path, ignored))
+        throw Error(Loc{path}, "the file exists already",
+                    "choose another output, continue that run with --resume, or remove the file");
+    auto file = std::make_unique<File>(path, File::Mode::create);
+    run_format::write_header(*file, header);
+    write_end(*file, {});
+    file->commit();
+    return RunFileWriter(std::move(file), 0);
+}
+
+RunFileWriter RunFileWriter::append(const std::string& path, const RunHeader& header,
+                                    int n_frames) {
+    auto file = std::make_unique<File>(path, File::Mode::append);
+    const std::string other = difference(*run_format::read_header(*file), header);
+    if (!other.empty())
+        file->fail("this file cannot be continued: wanted " + other,
+                   "resume with the scene, seed and settings of the run");
+    const auto kept = static_cast<std::uint64_t>(n_frames);
+    const std::uint64_t stored = file->shape("/time").at(0);
+    if (kept > stored)
+        file->fail(fmt::format("wanted a file with at least {} frames to continue, got {}", n_frames,
+                               stored));
+    file->truncate_column("/time", kept);
+    for (const run_format::Column& column : run_format::columns())
+        file->truncate_column(run_format::column_path(column), kept);
+    for (std::uint64_t frame = kept; frame < stored; ++frame)
+        file->remove(run_format::step_path(static_cast<int>(frame)));
+    write_end(*file, {});
+    file->commit();
+    return RunFileWriter(std::move(file), n_frames);
+}
+
+void RunFileWriter::write(const Snapshot& frame) {
+    SPHEROSCOPE_ASSERT(frame.frame == n_frames_, std::to_string(frame.frame));
+    check_positions(*file_, frame);
+    write_step(*file_, frame);
+    for (const run_format::Column& column : run_format::columns())
+        file_->append_to_column(run_format::column_path(column),
+                                run_format::column_value(column, frame));
+    file_->append_to_column("/time", frame.time_s);
+    file_->commit();
+    ++n_frames_;
+}
+
+void RunFileWriter::finish(const RunEnd& end) {
+    write_end(*file_, end);
+    file_->commit();
+}
+
+}  // namespace spheroscope
