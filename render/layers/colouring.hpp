@@ -1,0 +1,31 @@
+#pragma once
+
+#include "engine/measures/fields.hpp"
+#include "render/image.hpp"
+#include "render/range.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace spheroscope::render {
+
+/// How many values got which kind of colour.
+struct ColourCount {
+    std::int64_t n_shown = 0;   ///< values that are not NaN
+    std::int64_t n_absent = 0;  ///< NaN: nothing to measure
+    std::int64_t n_below = 0, n_above = 0;  ///< of the shown ones, outside the range
+};
+
+/// Colours of stored values of a field; NaN becomes k_absent_colour. `paleness` 0..1 mixes white in.
+/// Adds to `count`; appends to `colours`.
+void add_colours(const Field& field, std::span<const float> stored, const Range& range,
+                 double paleness, std::vector<Rgb>& colours, ColourCount& count);
+
+/// A soft tint for a cell that shows no field; neighbours in the numbering differ.
+[[nodiscard]] Rgb plain_cell_colour(int cell);
+
+/// How pale the cells are made behind a contact network, so that its tubes stand out.
+inline constexpr double k_paleness_behind_network = 0.35;
+
+}  // namespace spheroscope::render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "render/camera.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class vtkActor;
+
+namespace spheroscope::render {
+
+/// What the graphics library drew: rows from the bottom.
+struct Buffers {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;  ///< [height * width * 3]
+    std::vector<float> depth;       ///< [height * width] 0 near ... 1 far, 1: nothing there; linear
+    double depth_range_um = 0.0;    ///< distance between depth 0 and depth 1
+};
+
+/// Draws VTK actors into memory through OSMesa (Mesa's software renderer), without a display.
+/// Everything that knows of OSMesa is in this file's source and in glx_definitions.cpp.
+///
+/// One thread creates, uses and destroys it. The constructor draws two colours and reads them back;
+/// it throws Error with ExitCode::environment when that does not give the two colours.
+class OsmesaContext {
+  public:
+    OsmesaContext(int width_px, int height_px);
+    ~OsmesaContext();
+    OsmesaContext(const OsmesaContext&) = delete;
+    OsmesaContext& operator=(const OsmesaContext&) = delete;
+
+    /// Draws one actor on white. `camera` is in pixels of this context; everything within reach_um of its
+    /// focal point is inside the depth range.
+    void draw(vtkActor* actor, const Camera& camera, double reach_um, Buffers& buffers);
+
+  private:
+    struct Hidden;
+    void probe();
+
+    std::unique_ptr<Hidden> hidden_;
+};
+
+}  // namespace spheroscope::render

@@ -1,0 +1,234 @@
+#include "render/picture.hpp"
+
+#include "render/layers/cell_surfaces.hpp"
+#include "render/layers/compose.hpp"
+#include "render/layers/furniture.hpp"
+#include "render/osmesa_context.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spheroscope::render {
+
+namespace {
+
+constexpr int k_n_samples = 2;            // drawn pixels along each side of a final one
+constexpr double k_filled_share = 0.87;   // of the picture's height by the aggregate's extent
+constexpr int k_smallest_side = 64, k_largest_side = 4096;
+
+Vec3 point(const std::vector<float>& values, std::size_t i) {
+    return {static_cast<double>(values[3 * i]), static_cast<double>(values[3 * i + 1]),
+            static_cast<double>(values[3 * i + 2])};
+}
+
+void check_picture(const scene::Picture& picture) {
+    for (const int side : picture.size_px)
+        if (side < k_smallest_side || side > k_largest_side)
+            throw Error(picture.loc,
+                        fmt::format("picture '{}' wants sides of {} to {} pixels, got {} x {}",
+                                    picture.name, k_smallest_side, k_largest_side, picture.size_px[0],
+                                    picture.size_px[1]));
+    if (picture.range == "given" && !(picture.given_range[0] < picture.given_range[1]))
+        throw Error(picture.loc, fmt::format("picture '{}' wants a range from low to high, got {} to {}",
+                                             picture.name, picture.given_range[0],
+                                             picture.given_range[1]));
+}
+
+std::string status_text(const Snapshot& snapshot, int time_decimals) {
+    if (snapshot.stage_name != "anneal")
+        return snapshot.stage_name + "   " + time_text(snapshot.time_s, time_decimals);
+    // Seeding has no model time; how far it has got is what there is to say.
+    if (std::isnan(snapshot.stage_progress)) return "seeding";
+    return fmt::format("seeding   {:.0f} %", 100.0 * snapshot.stage_progress);
+}
+
+std::vector<std::string> notes(const Totals& totals) {
+    std::vector<std::string> lines;
+    if (std::isfinite(totals.coordination_Z) && totals.coordination_Z > 0.0)
+        lines.push_back(fmt::format("Z = {:.1f}", totals.coordination_Z));
+    if (std::isfinite(totals.contact_fraction) && totals.contact_fraction > 0.0)
+        lines.push_back(fmt::format("contact area {:.0f} %", 100.0 * totals.contact_fraction));
+    return lines;
+}
+
+}  // namespace
+
+Vec3 aggregate_centre_um(const Snapshot& snapshot) {
+    Vec3 sum = Vec3::Zero();
+    double volume_um3 = 0.0;
+    for (std::size_t c = 0; c < snapshot.volume_um3.size(); ++c) {
+        sum += static_cast<double>(snapshot.volume_um3[c]) * point(snapshot.centre_um, c);
+        volume_um3 += static_cast<double>(snapshot.volume_um3[c]);
+    }
+    return sum / volume_um3;
+}
+
+double aggregate_extent_um(const Snapshot& snapshot) {
+    const Vec3 centre = aggregate_centre_um(snapshot);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < snapshot.x_um.size() / 3; ++i)
+        farthest = std::max(farthest, (point(snapshot.x_um, i) - centre).squaredNorm());
+    return std::sqrt(farthest);
+}
+
+int find_picture_field(const RunHeader& header, const scene::Picture& picture) {
+    if (picture.field.empty()) return -1;
+    std::string held;
+    for (std::size_t i = 0; i < header.fields.size(); ++i) {
+        if (header.fields[i]->name == picture.field) return static_cast<int>(i);
+        held += (held.empty() ? "" : ", ") + std::string(header.fields[i]->name);
+    }
+    throw Error(picture.loc,
+                fmt::format("picture '{}' wants the field '{}', which the run does not hold",
+                            picture.name, picture.field),
+                "fields of this run: " + (held.empty() ? "none" : held));
+}
+
+struct Renderer::Hidden {
+    std::shared_ptr<const RunHeader> header;
+    scene::Picture picture;
+    int field_index = -1;
+    const Field* field = nullptr;
+    OsmesaContext context;  // before the layers: they are destroyed first
+    CellSurfaces surfaces;
+    std::unique_ptr<ForceNetwork> network;
+    TextPainter text;
+    Buffers cells_drawn, network_drawn;
+
+    Hidden(std::shared_ptr<const RunHeader> run, const scene::Picture& wanted)
+        : header(std::move(run)), picture(wanted),
+          field_index(find_picture_field(*header, picture)),
+          field(field_index < 0 ? nullptr : header->fields[static_cast<std::size_t>(field_index)]),
+          context(k_n_samples * picture.size_px[0], k_n_samples * picture.size_px[1]) {
+        if (picture.network) {
+            const double sum = std::accumulate(header->radius_um.begin(), header->radius_um.end(), 0.0);
+            network = std::make_unique<ForceNetwork>(sum / header->n_cells);
+        }
+    }
+
+    /// Cells that are drawn: all, or with the cutaway those whose centre is not on the near side of the
+    /// plane that faces the eye in the middle of the aggregate.
+    [[nodiscard]] std::vector<int> drawn_cells(const Snapshot& snapshot, const Camera& camera) const {
+        std::vector<int> cells;
+        for (int c = 0; c < header->n_cells; ++c) {
+            const Vec3 centre = point(snapshot.centre_um, static_cast<std::size_t>(c));
+            if (!picture.cutaway || camera.project(centre).nearness_um <= 0.0) cells.push_back(c);
+        }
+        return cells;
+    }
+
+    [[nodiscard]] Range choose_range(const Snapshot& snapshot, const View& view) const {
+        if (field == nullptr) return {};
+        if (view.range) return *view.range;
+        if (picture.range == "given") return {picture.given_range[0], picture.given_range[1]};
+        RangeFinder finder(*field);
+        finder.add(snapshot.fields[static_cast<std::size_t>(field_index)]);
+        return finder.range();
+    }
+
+    /// Colours the drawn cells; plain tints without a field and while beads are being seeded, when there
+    /// is no mechanics that a field could show.
+    void colour_cells(const Snapshot& snapshot, const std::vector<int>& cells, Furniture& furniture);
+    void draw_network(const Snapshot& snapshot, const Camera& camera, double reach_um,
+                      Furniture& furniture);
+};
+
+void Renderer::Hidden::colour_cells(const Snapshot& snapshot, const std::vector<int>& cells,
+                                    Furniture& furniture) {
+    std::vector<Rgb> colours;
+    if (field == nullptr || snapshot.stage_name == "anneal") {
+        for (const int c : cells)
+            colours.push_back(mix(plain_cell_colour(c), {255, 255, 255}, furniture.paleness));
+        surfaces.update(snapshot, cells, Place::cell, colours);
+        return;
+    }
+    const std::vector<float>& values = snapshot.fields[static_cast<std::size_t>(field_index)];
+    const std::size_t n_each = values.size() / static_cast<std::size_t>(header->n_cells);
+    for (const int c : cells)
+        add_colours(*field, std::span(values).subspan(static_cast<std::size_t>(c) * n_each, n_each),
+                    furniture.range, furniture.paleness, colours, furniture.count);
+    surfaces.update(snapshot, cells, field->place, colours);
+}
+
+void Renderer::Hidden::draw_network(const Snapshot& snapshot, const Camera& camera, double reach_um,
+                                    Furniture& furniture) {
+    furniture.network = network->update(snapshot);
+    context.draw(network->actor(), camera, reach_um, network_drawn);
+    // With the near half taken away the network stands free in it, and the hidden rest is a hint only.
+    add_network(cells_drawn, network_drawn, picture.cutaway ? 0.25 : 0.65);
+}
+
+Renderer::Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture) {
+    check_picture(picture);
+    hidden_ = std::make_unique<Hidden>(std::move(header), picture);
+}
+
+Renderer::~Renderer() = default;
+
+Image Renderer::render(const Snapshot& snapshot, const View& view) {
+    Hidden& h = *hidden_;
+    SPHEROSCOPE_ASSERT(snapshot.centre_um.size() == 3 * static_cast<std::size_t>(h.header->n_cells),
+                       "the snapshot belongs to the renderer's run");
+    const Camera final_camera = camera(snapshot, view);
+    Camera drawn_camera = final_camera;
+    drawn_camera.px_per_um *= k_n_samples;
+    drawn_camera.centre_x_px *= k_n_samples;
+    drawn_camera.centre_y_px *= k_n_samples;
+    const double reach_um = 1.05 * aggregate_extent_um(snapshot);
+
+    Furniture furniture;
+    furniture.title = h.header->title.empty() ? h.header->scene_name : h.header->title;
+    furniture.status = status_text(snapshot, view.time_decimals);
+    furniture.notes = notes(snapshot.totals);
+    furniture.footer = h.header->scene_name;
+    furniture.px_per_um = final_camera.px_per_um;
+    furniture.field = h.field;
+    furniture.range = h.choose_range(snapshot, view);
+    furniture.range_is_of_this_frame =
+        h.field != nullptr && !view.range && h.picture.range != "given";
+    furniture.paleness = h.network ? k_paleness_behind_network : 0.0;
+
+    h.colour_cells(snapshot, h.drawn_cells(snapshot, final_camera), furniture);
+    h.context.draw(h.surfaces.actor(), drawn_camera, reach_um, h.cells_drawn);
+    if (h.network) h.draw_network(snapshot, drawn_camera, reach_um, furniture);
+    Image image = make_image(h.cells_drawn, k_n_samples, drawn_camera.px_per_um);
+    draw_furniture(image, h.text, furniture);
+    return image;
+}
+
+Camera Renderer::camera(const Snapshot& snapshot, const View& view) const {
+    const Hidden& h = *hidden_;
+    const int width = h.picture.size_px[0], height = h.picture.size_px[1];
+    Camera camera =
+        make_camera(aggregate_centre_um(snapshot),
+                    h.picture.azimuth_deg + view.progress * h.picture.orbit_deg, h.picture.elevation_deg);
+    const double free_width =
+        width - key_column_px(height, h.field != nullptr, h.picture.network);
+    const double radius_um =
+        view.fit_radius_um ? *view.fit_radius_um : aggregate_extent_um(snapshot);
+    camera.px_per_um = k_filled_share * 0.5 * std::min<double>(height, free_width) / radius_um;
+    camera.centre_x_px = 0.5 * free_width;
+    camera.centre_y_px = 0.5 * height + 8.0 * writing_scale(height);  // room for the title
+    return camera;
+}
+
+const Field* Renderer::field() const {
+    return hidden_->field;
+}
+
+int Renderer::field_index() const {
+    return hidden_->field_index;
+}
+
+const scene::Picture& Renderer::picture() const {
+    return hidden_->picture;
+}
+
+}  // namespace spheroscope::render

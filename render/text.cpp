@@ -1,0 +1,134 @@
+#include "render/text.hpp"
+
+#include "engine/base/error.hpp"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace spheroscope::render {
+
+namespace {
+
+Error no_font(const char* path) {
+    return Error("the font file " + std::string(path) + " cannot be read",
+                 "install DejaVu Sans (Debian: fonts-dejavu-core)", ExitCode::environment);
+}
+
+/// Code points of UTF-8 text. Titles of scenes get here, so bad bytes are the user's mistake.
+std::vector<FT_ULong> decode_utf8(std::string_view text) {
+    std::vector<FT_ULong> points;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto lead = static_cast<unsigned char>(text[i++]);
+        const int n_more = lead < 0x80 ? 0 : lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : lead >= 0xC0 ? 1 : -1;
+        FT_ULong point = n_more <= 0 ? lead : lead & (0x3FU >> n_more);
+        bool good = n_more >= 0;
+        for (int k = 0; good && k < n_more; ++k) {
+            good = i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
+            if (good) point = (point << 6U) | (static_cast<unsigned char>(text[i++]) & 0x3FU);
+        }
+        if (!good) throw Error("text for a picture is not UTF-8: \"" + std::string(text) + "\"");
+        points.push_back(point);
+    }
+    return points;
+}
+
+void blend_glyph(Image& image, const FT_Bitmap& bitmap, int left, int top, Rgb colour) {
+    for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {
+        const int y = top + row;
+        if (y < 0 || y >= image.height) continue;
+        for (int column = 0; column < static_cast<int>(bitmap.width); ++column) {
+            const int x = left + column;
+            if (x < 0 || x >= image.width) continue;
+            const int cover = bitmap.buffer[row * bitmap.pitch + column];
+            if (cover > 0) image.set(x, y, mix(image.at(x, y), colour, cover / 255.0));
+        }
+    }
+}
+
+}  // namespace
+
+struct TextPainter::Hidden {
+    FT_Library library = nullptr;
+    std::array<FT_Face, 2> faces{};
+
+    ~Hidden() {
+        for (FT_Face face : faces)
+            if (face != nullptr) FT_Done_Face(face);
+        if (library != nullptr) FT_Done_FreeType(library);
+    }
+};
+
+TextPainter::TextPainter() : hidden_(std::make_unique<Hidden>()) {
+    if (FT_Init_FreeType(&hidden_->library) != 0)
+        throw Error("FreeType does not start", "", ExitCode::environment);
+    constexpr std::array<const char*, 2> paths{SPHEROSCOPE_FONT, SPHEROSCOPE_FONT_BOLD};
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        if (FT_New_Face(hidden_->library, paths[i], 0, &hidden_->faces[i]) != 0)
+            throw no_font(paths[i]);
+}
+
+TextPainter::~TextPainter() = default;
+
+double TextPainter::lay_out(Image* image, double x, double y, std::string_view text,
+                            const Style& style) {
+    FT_Face face = hidden_->faces[style.font == FontStyle::bold ? 1 : 0];
+    double pen = x;
+    double lift = 0.0, scale = 1.0;
+    FT_UInt previous = 0;
+    const auto set_size = [&] {
+        FT_Set_Char_Size(face, 0, std::lround(64.0 * scale * style.size_px), 72, 72);
+    };
+    set_size();
+    for (const FT_ULong point : decode_utf8(text)) {
+        if (style.mode == TextMode::symbol) {
+            const bool opens = point == '_' || point == '^';
+            const bool closes = scale != 1.0 && (point == ' ' || point == '(');
+            if (opens || closes) {
+                scale = opens ? 0.72 : 1.0;
+                lift = opens ? (point == '_' ? -0.18 : 0.34) * style.size_px : 0.0;
+                previous = 0;
+                set_size();
+            }
+            if (opens) continue;
+        }
+        const FT_UInt glyph = FT_Get_Char_Index(face, point);
+        if (previous != 0) {
+            FT_Vector kerning{};
+            FT_Get_Kerning(face, previous, glyph, FT_KERNING_UNFITTED, &kerning);
+            pen += static_cast<double>(kerning.x) / 64.0;
+        }
+        // Not hinted: letters stand where they belong to a 64th of a pixel, in all sizes alike.
+        const double whole = std::floor(pen);
+        FT_Vector shift{std::lround(64.0 * (pen - whole)), 0};
+        FT_Set_Transform(face, nullptr, &shift);
+        if (FT_Load_Char(face, point, FT_LOAD_NO_HINTING | (image ? FT_LOAD_RENDER : 0)) != 0)
+            throw Error("a letter of \"" + std::string(text) + "\" cannot be drawn", "",
+                        ExitCode::environment);
+        if (image != nullptr)
+            blend_glyph(*image, face->glyph->bitmap,
+                        static_cast<int>(whole) + face->glyph->bitmap_left,
+                        static_cast<int>(std::lround(y - lift)) - face->glyph->bitmap_top,
+                        style.colour);
+        pen += static_cast<double>(face->glyph->linearHoriAdvance) / 65536.0;
+        previous = glyph;
+    }
+    return pen - x;
+}
+
+double TextPainter::width(std::string_view text, const Style& style) {
+    return lay_out(nullptr, 0.0, 0.0, text, style);
+}
+
+void TextPainter::draw(Image& image, double x, double y_baseline, std::string_view text,
+                       const Style& style, Anchor anchor) {
+    double start = x;
+    if (anchor != Anchor::left) start -= width(text, style) * (anchor == Anchor::right ? 1.0 : 0.5);
+    lay_out(&image, start, y_baseline, text, style);
+}
+
+}  // namespace spheroscope::render
