@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 // Claims that hold for every force term; a new row of the table is tested by itself.
@@ -96,6 +97,17 @@ TEST_P(EveryTerm, RestShapeCarriesNoForceWhereTheTableSaysSo) {
             EXPECT_LT(relative, 1e-13);
         else
             EXPECT_GT(relative, 1e-4);
+    }
+}
+
+// What is silent in part of space must not take 'not a number' for 'inside'.
+TEST_P(EveryTerm, CoordinateThatIsNotANumberShowsInTheEnergyAndTheForce) {
+    TestCell test(42);
+    test.x()[17][1] = std::numeric_limits<double>::quiet_NaN();
+    test.update();
+    EXPECT_TRUE(std::isnan(test.energy_fJ(*term)));
+    if (row.name != "body_force") {  // whose force does not depend on the place
+        EXPECT_TRUE(std::isnan(norm(test.force_nN(*term))));
     }
 }
 
