@@ -24,9 +24,7 @@ void start_log() {
     spdlog::set_default_logger(logger);
 }
 
-void make_log_quiet() {
-    spdlog::set_level(spdlog::level::warn);
-}
+void make_log_quiet() { spdlog::set_level(spdlog::level::warn); }
 
 void print_error(const std::string& message) {
     spdlog::default_logger()->flush();

@@ -24,7 +24,8 @@ void add_common_option(CLI::App& command, CommonOptions& options, CommonOption w
             ->check(CLI::Range(1, 1024));
         return;
     case CommonOption::seed:
-        command.add_option("--seed", options.seed, "seed of the random numbers, before the scene's")
+        command
+            .add_option("--seed", options.seed, "seed of the random numbers, before the scene's")
             ->type_name("N");
         return;
     case CommonOption::set:

@@ -100,8 +100,8 @@ ExitCode dispatch(const std::vector<std::string>& arguments, std::span<const Ver
 
 std::string command_line_text(const std::vector<std::string>& arguments) {
     const auto is_plain = [](unsigned char c) {
-        return std::isalnum(c) != 0 || std::string_view("_-+=./:,@%").find(static_cast<char>(c)) !=
-                                           std::string_view::npos;
+        return std::isalnum(c) != 0 ||
+               std::string_view("_-+=./:,@%").find(static_cast<char>(c)) != std::string_view::npos;
     };
     std::string text = "spheroscope";
     for (const std::string& argument : arguments) {

@@ -9,8 +9,8 @@
 namespace spheroscope::cli {
 
 /// Runs the verb that `arguments` (without the program's name) begin with, or answers --help and
-/// --version. Results go to stdout; every failure becomes one message on stderr and the exit code that
-/// belongs to it, so nothing is thrown.
+/// --version. Results go to stdout; every failure becomes one message on stderr and the exit code
+/// that belongs to it, so nothing is thrown.
 [[nodiscard]] ExitCode run_program(const std::vector<std::string>& arguments,
                                    std::span<const Verb> verbs, const std::string& version);
 

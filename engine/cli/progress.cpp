@@ -11,9 +11,9 @@
 namespace spheroscope::cli {
 namespace {
 
-constexpr double k_redraw_every_s = 0.1;   // as often as a person can follow
-constexpr double k_line_every_s = 30.0;    // a sign of life where the fraction is not known
-constexpr int k_lines_per_part = 20;       // one per 5 %
+constexpr double k_redraw_every_s = 0.1;  // as often as a person can follow
+constexpr double k_line_every_s = 30.0;   // a sign of life where the fraction is not known
+constexpr int k_lines_per_part = 20;      // one per 5 %
 constexpr int k_bar_columns = 20;
 
 double wall_time_s() {
@@ -50,15 +50,12 @@ std::string duration_text(double seconds) {
     return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
 }
 
-Progress::Progress(ProgressStyle style)
-    : Progress(style, stderr, terminal_width(), wall_time_s) {}
+Progress::Progress(ProgressStyle style) : Progress(style, stderr, terminal_width(), wall_time_s) {}
 
 Progress::Progress(ProgressStyle style, std::FILE* out, int width, Clock clock)
     : style_(style), out_(out), width_(width), clock_(std::move(clock)) {}
 
-Progress::~Progress() {
-    clear();
-}
+Progress::~Progress() { clear(); }
 
 void Progress::update(const ProgressState& state) {
     if (style_ == ProgressStyle::none) return;
@@ -109,7 +106,8 @@ std::string Progress::line_text(const ProgressState& state, double now_s) const 
         }
         text += fmt::format(" {:>3.0f} %", std::floor(100.0 * fraction));
     }
-    if (std::isfinite(state.model_time_s)) text += fmt::format("  t = {:.2f} s", state.model_time_s);
+    if (std::isfinite(state.model_time_s))
+        text += fmt::format("  t = {:.2f} s", state.model_time_s);
     if (std::isfinite(state.step_s)) text += fmt::format("  dt = {}", step_text(state.step_s));
     const double elapsed_s = now_s - part_begin_s_;
     if (state.fraction > 0.0 && elapsed_s > 0.0)

@@ -18,10 +18,10 @@ enum class ProgressStyle { bar, lines, none };
 
 /// Where the work stands. What is not known is NaN and not shown.
 struct ProgressState {
-    std::string part;         ///< what is being done: "compact", "pictures"
-    double fraction;          ///< of this part, 0..1; NaN: nobody knows how long it takes
-    double model_time_s;      ///< NaN: the work has no model time
-    double step_s;            ///< last time step; NaN: none
+    std::string part;     ///< what is being done: "compact", "pictures"
+    double fraction;      ///< of this part, 0..1; NaN: nobody knows how long it takes
+    double model_time_s;  ///< NaN: the work has no model time
+    double step_s;        ///< last time step; NaN: none
 };
 
 /// Shows how far a piece of work is, on stderr:
@@ -42,7 +42,8 @@ class Progress {
 
     void update(const ProgressState& state);
 
-    /// Takes the bar off the screen, so that other text can be written; the next update draws it anew.
+    /// Takes the bar off the screen, so that other text can be written; the next update draws it
+    /// anew.
     void clear();
 
   private:

@@ -20,8 +20,8 @@ struct Invocation {
 /// What a verb does once its arguments have been read. A user's mistake is thrown as Error.
 using VerbAction = std::function<ExitCode(const Invocation&)>;
 
-/// One row of the table of verbs. A new verb is a new file and one row; `--help`, the proposals for a
-/// mistyped verb and the tests loop over the table.
+/// One row of the table of verbs. A new verb is a new file and one row; `--help`, the proposals for
+/// a mistyped verb and the tests loop over the table.
 struct Verb {
     std::string name;
     std::string summary;  ///< one line, what the verb does and what comes out

@@ -18,16 +18,11 @@ namespace {
 /// How many cells the scene has; none when a file says it.
 std::optional<int> n_cells(const scene::Cells& cells) {
     switch (cells.arrangement) {
-    case scene::Arrangement::packing:
-        return cells.count;
-    case scene::Arrangement::single:
-        return 1;
-    case scene::Arrangement::pair:
-        return 2;
-    case scene::Arrangement::centres:
-        return static_cast<int>(cells.centres_um.size());
-    case scene::Arrangement::file:
-        return std::nullopt;
+    case scene::Arrangement::packing: return cells.count;
+    case scene::Arrangement::single: return 1;
+    case scene::Arrangement::pair: return 2;
+    case scene::Arrangement::centres: return static_cast<int>(cells.centres_um.size());
+    case scene::Arrangement::file: return std::nullopt;
     }
     return std::nullopt;
 }
@@ -74,8 +69,7 @@ std::string summary(const scene::Scene& scene) {
 
 ExitCode check(const CheckArguments& arguments) {
     try {
-        const scene::Scene scene =
-            scene::load_scene(arguments.scene, arguments.common.overrides());
+        const scene::Scene scene = scene::load_scene(arguments.scene, arguments.common.overrides());
         if (arguments.common.json) {
             print_json(describe(scene));
             return ExitCode::ok;

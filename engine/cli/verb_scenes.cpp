@@ -56,8 +56,8 @@ std::vector<Entry> read_entries(const std::string& folder) {
          item.increment(failed))
         if (item->path().extension() == ".toml") files.push_back(item->path());
     if (failed)
-        throw Error(fmt::format("wanted a folder with scenes, got '{}' ({})", folder,
-                                failed.message()));
+        throw Error(
+            fmt::format("wanted a folder with scenes, got '{}' ({})", folder, failed.message()));
     std::sort(files.begin(), files.end());
     std::vector<Entry> entries;
     for (const std::filesystem::path& file : files) entries.push_back(read_entry(file));
@@ -102,8 +102,9 @@ ExitCode list_scenes(const ScenesArguments& arguments) {
 Verb scenes_verb() {
     return {"scenes", "lists scene files with their titles", [](CLI::App& command) -> VerbAction {
                 const auto arguments = std::make_shared<ScenesArguments>();
-                command.add_option("FOLDER", arguments->folder,
-                                   "where to look (default: the scenes that come with the program)");
+                command.add_option(
+                    "FOLDER", arguments->folder,
+                    "where to look (default: the scenes that come with the program)");
                 add_common_options(command, arguments->common, {CommonOption::json});
                 return [arguments](const Invocation&) { return list_scenes(*arguments); };
             }};

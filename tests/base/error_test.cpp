@@ -15,9 +15,7 @@ TEST(Loc, WithoutALineIsTheWholeFile) {
     EXPECT_EQ((Loc{"scenes/a.toml", 0, 0}.text()), "scenes/a.toml");
 }
 
-TEST(Loc, WithoutAFileIsEmpty) {
-    EXPECT_EQ((Loc{"", 14, 7}.text()), "");
-}
+TEST(Loc, WithoutAFileIsEmpty) { EXPECT_EQ((Loc{"", 14, 7}.text()), ""); }
 
 TEST(Error, MessageNamesThePlaceFirstAndTheHintLast) {
     const Error error(Loc{"a.toml", 3, 1}, "wanted a length, got \"red\"", "for instance 9 um");

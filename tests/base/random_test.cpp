@@ -56,7 +56,8 @@ TEST(Random, UniformHasMeanOneHalfAndVarianceOneTwelfth) {
     EXPECT_NEAR(sum_of_squares / n, 1.0 / 12.0, 4.0 * std::sqrt(1.0 / 180.0) / root_n);
 }
 
-// Standard errors: of the mean 1, of the variance sqrt(2), of the fourth moment sqrt(96), over sqrt(n).
+// Standard errors: of the mean 1, of the variance sqrt(2), of the fourth moment sqrt(96), over
+// sqrt(n).
 TEST(Random, NormalHasTheMomentsOfTheStandardNormal) {
     const Random random(1, 1);
     double m1 = 0.0;

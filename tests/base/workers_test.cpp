@@ -65,8 +65,7 @@ TEST_P(Pool, WaitSeparatesThePhasesOfARegion) {
             written[index] = phase;
             member.wait();
             const int sum = std::accumulate(written.begin(), written.end(), 0);
-            if (sum != phase * workers.size())
-                ++wrong[index];
+            if (sum != phase * workers.size()) ++wrong[index];
             member.wait();
         }
     });

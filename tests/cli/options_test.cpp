@@ -62,8 +62,9 @@ TEST(CommonOptions, TimeLimitIsATimeAboveZeroOrNotGiven) {
     EXPECT_EQ(options.time_limit_s(), 90.0);
     for (const char* wrong : {"0 s", "-1 s", "soon", "3 um"}) {
         options.time_limit = wrong;
-        EXPECT_EQ(message_of([&] { static_cast<void>(options.time_limit_s()); })
-                      .rfind("error: --time-limit wants a time above zero, got \"", 0),
+        EXPECT_EQ(message_of([&] {
+                      static_cast<void>(options.time_limit_s());
+                  }).rfind("error: --time-limit wants a time above zero, got \"", 0),
                   0U)
             << wrong;
     }

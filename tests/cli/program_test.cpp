@@ -22,9 +22,8 @@ Verb made_up_verb(const std::string& name, const VerbAction& action) {
     return {name, "made up for the test", [action](CLI::App& command) {
                 const auto common = std::make_shared<CommonOptions>();
                 add_common_options(command, *common, {CommonOption::json, CommonOption::threads});
-                return VerbAction([action, common](const Invocation& invocation) {
-                    return action(invocation);
-                });
+                return VerbAction(
+                    [action, common](const Invocation& invocation) { return action(invocation); });
             }};
 }
 
@@ -114,9 +113,8 @@ TEST(Program, AnErrorBecomesItsMessageAndItsExitCode) {
 }
 
 TEST(Program, AnyOtherExceptionIsAnInternalError) {
-    const Outcome outcome = call({"movie"}, [](const Invocation&) -> ExitCode {
-        throw std::out_of_range("vector::at");
-    });
+    const Outcome outcome = call(
+        {"movie"}, [](const Invocation&) -> ExitCode { throw std::out_of_range("vector::at"); });
     EXPECT_EQ(outcome.code, ExitCode::internal);
     EXPECT_EQ(outcome.err.rfind("internal error: vector::at\n", 0), 0U) << outcome.err;
 }
