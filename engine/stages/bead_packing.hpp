@@ -31,8 +31,8 @@ struct RadiusDistribution {
 /// zeta / k_max (zeta: drag of a bead), s = step / steps from 0 to 1.
 struct BeadPackingParameters {
     /// Volume of the beads / volume of the sphere around them. Few beads pack less densely at the
-    /// curved wall: at 0.60 nearly all seeds with 13 or 20 beads, and some with 30, overlap too much
-    /// to be accepted; at 0.55 each of ten is accepted, with any of these numbers.
+    /// curved wall: at 0.60 nearly all seeds with 13 or 20 beads, and some with 30, overlap too
+    /// much to be accepted; at 0.55 each of ten is accepted, with any of these numbers.
     double packing_fraction = 0.60;
     int steps = 20000;                  ///< of annealing
     double dt = 0.1;                    ///< time step of annealing
