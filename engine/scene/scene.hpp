@@ -9,12 +9,13 @@
 #include <string>
 #include <vector>
 
-// A scene as plain typed values in the engine's units (um, s, nN; so kPa = nN/um^2, fJ = nN um). A table that
-// is present in the file is a part that is present in the run: `optional` members are parts, and no
-// default adds physics. Every part keeps the place of its table for later messages.
+// A scene as plain typed values in the engine's units (um, s, nN; so kPa = nN/um^2, fJ = nN um). A
+// table that is present in the file is a part that is present in the run: `optional` members are
+// parts, and no default adds physics. Every part keeps the place of its table for later messages.
 namespace spheroscope::scene {
 
-/// Radii of the cells: all equal, or gamma-distributed and truncated (Cuvelier et al. 2021, Table 2).
+/// Radii of the cells: all equal, or gamma-distributed and truncated (Cuvelier et al. 2021,
+/// Table 2).
 struct Radius {
     std::optional<double> fixed_um;  ///< all cells; then the rest of this struct is unused
     double shape = 37.75;
@@ -28,12 +29,13 @@ enum class Arrangement { packing, single, pair, centres, file };
 struct Cells {
     Loc loc;
     Arrangement arrangement = Arrangement::packing;
-    int count = 0;                       ///< packing
+    int count = 0;                       ///< resolved for all but `file`, which says it itself: 0
     int nodes = 162;                     ///< per cell: 42, 162, 642, 2562
     Radius radius;
     double gap_um = 0.2;                 ///< pair: between the two spheres
     std::vector<std::array<double, 4>> centres_um;  ///< centres: rows of x, y, z, radius
-    std::string file;                    ///< file: HDF5 run whose frame is the start, relative to the scene
+    std::string file;                    ///< file: HDF5 run whose frame is the start, relative to
+                                         ///< the scene
     int frame = -1;                      ///< file: -1 is the last
 };
 
@@ -100,14 +102,15 @@ struct Contact {  // eqns (5)-(7)
     double omega_nN_per_um = 0.0;      ///< as given; 0 with reading work_of_adhesion
     double W_nN_per_um = 0.0;          ///< resolved work of adhesion
     double equilibrium_overlap_h0 = 2; ///< delta_eq / h0: 1 or 2
-    bool adhesive = true;              ///< false: [contact] without [contact.adhesion]; then only repulsion
+    bool adhesive = true;              ///< false: without [contact.adhesion]; then only repulsion
     double repulsion_k_kPa_per_um = 0; ///< without adhesion: stiffness per area
-    std::optional<double> friction_normal_kPa_s_per_um;      ///< [contact.friction], eqns (17), (18)
+    std::optional<double> friction_normal_kPa_s_per_um;  ///< [contact.friction], eqns (17), (18)
     std::optional<double> friction_tangential_kPa_s_per_um;
     Loc friction_loc;
 };
 
-struct BodyForce {  ///< constant force on each cell, spread by rest area; sums to zero over a pair if `opposed`
+/// Constant force on each cell, spread by rest area; sums to zero over a pair if `opposed`.
+struct BodyForce {
     Loc loc;
     std::array<double, 3> force_nN{};
     bool opposed = false;              ///< cell 0 gets +force, cell 1 gets -force
@@ -116,11 +119,12 @@ struct BodyForce {  ///< constant force on each cell, spread by rest area; sums 
 struct Method {
     Loc loc;
     std::string name = "linearly_implicit";  ///< a row of the methods table
-    double dt_s = 0.0;                 ///< forward_euler: the step; linearly_implicit: the first step
+    double dt_s = 0.0;                 ///< forward_euler: the step; linearly_implicit: the first
+                                       ///< one; resolved, default the paper's zeta / 30, or 1 ms
     double dt_max_s = 1.0;
     double dt_min_s = 1e-6;
-    double tolerance_um = 0.0;         ///< local error per step; 0: fixed steps of dt
-    double displacement_bound_h0 = 0.5;///< largest node displacement per step over h0 (contacts only)
+    double tolerance_um = 0.006;       ///< local error per step; 0: fixed steps of dt
+    double displacement_bound_h0 = 0.5;  ///< largest node displacement per step over h0 (contacts)
     double linear_tolerance = 1e-3;
 };
 
@@ -133,7 +137,7 @@ struct Stage {
     double duration_s = 0.0;           ///< all but anneal; for `relax` with until = rest: unused
     Until until = Until::duration;     ///< relax
     double cap_s = 120.0;              ///< relax until rest/stationary: longest time
-    double every_s = 0.0;              ///< output interval, model time; 0: only at the end of the stage
+    double every_s = 0.0;              ///< output interval, model time; 0: only at its end
     // anneal
     int steps = 20000;
     double packing_fraction = 0.60;
@@ -146,7 +150,8 @@ struct Stage {
 
 struct Measures {
     Loc loc;
-    std::vector<std::string> fields;   ///< rows of the table of fields, evaluated at output times only
+    std::vector<std::string> fields;   ///< rows of the table of fields, evaluated at output times;
+                                       ///< resolved: with those that pictures show
     double touching_area_um2 = 0.1;    ///< a pair of cells touches above this contact area
 };
 
@@ -193,18 +198,22 @@ struct Scene {
     std::string resolved_toml;         ///< canonical text of everything above that applies
 };
 
-/// Command-line overrides: "contact.adhesion.omega=0.5 nN/um", "cells.nodes=642", "stage[2].cap=\"60 s\"".
+/// Command-line overrides: "contact.adhesion.omega=0.5 nN/um", "cells.nodes=642",
+/// "stage[2].cap=60 s". The value is a TOML value if it parses as one, else bare text. Where keys
+/// exclude each other (E and Et_over_omega), an override replaces the others of the file.
 struct Override {
     std::string key, value;
 };
 
 /// Reads, checks and resolves a scene. Throws Error with file:line:column for the first mistake.
-[[nodiscard]] Scene load_scene(const std::string& path, const std::vector<Override>& overrides = {});
+[[nodiscard]] Scene load_scene(const std::string& path,
+                               const std::vector<Override>& overrides = {});
 /// The same from text; `name` stands for the file in messages.
 [[nodiscard]] Scene parse_scene(const std::string& text, const std::string& name,
                                 const std::vector<Override>& overrides = {});
 
-/// The documentation of all keys as Markdown (scenes/README.md between its markers), from the key table.
+/// The documentation of all keys as Markdown (scenes/README.md between its markers), from the key
+/// table.
 [[nodiscard]] std::string keys_markdown();
 
 }  // namespace spheroscope::scene

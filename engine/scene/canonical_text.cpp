@@ -1,0 +1,58 @@
+#include "engine/scene/key_text.hpp"
+#include "engine/scene/resolve.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace spheroscope::scene {
+namespace {
+
+bool is_written(const Key& key) {
+    return key.absent.rule != WhenAbsent::Rule::input_of &&
+           key.absent.rule != WhenAbsent::Rule::optional_input;
+}
+
+void write_keys(Draft& draft, const Table& table, std::size_t item, std::string& text) {
+    for (const Key& key : all_keys()) {
+        if (key.table != table.path || !is_written(key)) continue;
+        if (key.applies.holds != nullptr && !key.applies.holds(draft, item)) continue;
+        const std::string value = value_text(draft, key, item);
+        if (!value.empty()) text += fmt::format("{} = {}\n", key.name, value);
+    }
+}
+
+/// Number of tables of this row in the draft.
+std::size_t count_of(const Draft& draft, const Table& table) {
+    using Presence = Table::Presence;
+    switch (table.presence) {
+    case Presence::list:
+        return table.path == "stage" ? draft.scene.stages.size() : draft.scene.pictures.size();
+    case Presence::named: return draft.scene.expect.size();
+    case Presence::part: return draft.given(table.path) ? 1 : 0;
+    default: return table.applies.holds == nullptr || table.applies.holds(draft, 0) ? 1 : 0;
+    }
+}
+
+}  // namespace
+
+std::string canonical_text(Draft& draft) {
+    std::string text;
+    for (const Table& table : all_tables()) {
+        const std::size_t count = count_of(draft, table);
+        for (std::size_t item = 0; item < count; ++item) {
+            if (!text.empty()) text += "\n";
+            if (table.presence == Table::Presence::list)
+                text += fmt::format("[[{}]]\n", table.path);
+            else if (table.presence == Table::Presence::named)
+                text += fmt::format("[{}.{}]\n", table.path,
+                                    toml_string(draft.scene.expect[item].measure));
+            else
+                text += fmt::format("[{}]\n", table.path);
+            write_keys(draft, table, item, text);
+        }
+    }
+    return text;
+}
+
+}  // namespace spheroscope::scene

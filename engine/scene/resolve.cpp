@@ -1,0 +1,363 @@
+#include "engine/scene/resolve.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <set>
+
+namespace spheroscope::scene {
+namespace {
+
+double gamma_of(const Scene& scene) {
+    return scene.cortex.tension ? scene.cortex.tension->gamma_nN_per_um : 0.0;
+}
+
+void warn(Scene& scene, const Loc& loc, const std::string& message) {
+    scene.warnings.push_back(fmt::format("{}: warning: {}", loc.text(), message));
+}
+
+Loc loc_of(const Draft& draft, std::string_view path) { return draft.document->loc_of(path); }
+
+// ---- cells -------------------------------------------------------------------------------------
+
+double smallest_radius(const Cells& cells) {
+    if (cells.radius.fixed_um) return *cells.radius.fixed_um;
+    if (cells.arrangement != Arrangement::centres) return cells.radius.min_um;
+    double smallest = cells.centres_um.front()[3];
+    for (const auto& row : cells.centres_um) smallest = std::min(smallest, row[3]);
+    return smallest;
+}
+
+void check_radius(const Draft& draft) {
+    const Cells& cells = draft.scene.cells;
+    const Radius& radius = cells.radius;
+    const Loc loc = draft.given("cells.radius") ? loc_of(draft, "cells.radius") : cells.loc;
+    if (!radius.fixed_um && !(radius.min_um < radius.max_um))
+        throw Error(loc, fmt::format("cells.radius.min ({} um) must be below cells.radius.max "
+                                     "({} um)",
+                                     radius.min_um, radius.max_um));
+    const double mean_um = radius.shape * radius.scale_um;
+    if (!radius.fixed_um && !(mean_um > radius.min_um && mean_um < radius.max_um))
+        throw Error(loc, fmt::format("the mean radius shape * scale = {:.4g} um must lie between "
+                                     "min = {} um and max = {} um",
+                                     mean_um, radius.min_um, radius.max_um));
+}
+
+void resolve_cells(Draft& draft) {
+    Scene& scene = draft.scene;
+    Cells& cells = scene.cells;
+    switch (cells.arrangement) {
+    case Arrangement::single: cells.count = 1; break;
+    case Arrangement::pair: cells.count = 2; break;
+    case Arrangement::centres: cells.count = static_cast<int>(cells.centres_um.size()); break;
+    default: break;
+    }
+    if (cells.arrangement == Arrangement::file) {
+        if (cells.file.empty())
+            throw Error(loc_of(draft, "cells.file"),
+                        "cells.file wants the name of a file, got \"\"");
+        return;
+    }
+    if (cells.count < 1)
+        throw Error(loc_of(draft, "cells.centres"),
+                    "cells.centres wants one row [x, y, z, radius] or more, got none");
+    for (std::size_t k = 0; k < cells.centres_um.size(); ++k)
+        if (!(cells.centres_um[k][3] > 0.0))
+            throw Error(loc_of(draft, "cells.centres"),
+                        fmt::format("cells.centres: the radius of row {} must be > 0, got {} um", k,
+                                    cells.centres_um[k][3]));
+    if (cells.arrangement != Arrangement::centres) check_radius(draft);
+    const double limit_um = smallest_radius(cells);
+    if (scene.cortex.thickness_um >= limit_um)
+        throw Error(
+            loc_of(draft, "cortex.thickness"),
+            fmt::format("cortex.thickness ({} um) must be below the smallest radius ({} um)",
+                        scene.cortex.thickness_um, limit_um));
+    if (scene.contact && scene.contact->h0_um >= limit_um)
+        throw Error(loc_of(draft, "contact.h0"),
+                    fmt::format("contact.h0 ({} um) must be below the smallest radius ({} um)",
+                                scene.contact->h0_um, limit_um));
+}
+
+// ---- contact -----------------------------------------------------------------------------------
+
+/// Work of adhesion over omega, and equilibrium overlap over h0, of the readings of omega that have
+/// one: the paper's pressure, stiffness, energy and text do not agree on a factor of 2.
+struct Reading {
+    double W_over_omega, overlap_h0;
+};
+
+Reading reading_of(OmegaReading reading) {
+    switch (reading) {
+    case OmegaReading::printed: return {0.5, 1.0};
+    case OmegaReading::text: return {1.0, 2.0};
+    case OmegaReading::two_sided: return {1.0, 1.0};
+    case OmegaReading::per_cell: return {2.0, 2.0};
+    case OmegaReading::work_of_adhesion: break;
+    }
+    SPHEROSCOPE_ASSERT(false, "a work of adhesion needs no reading");
+    return {};
+}
+
+void resolve_adhesion(Draft& draft) {
+    Scene& scene = draft.scene;
+    Contact& contact = *scene.contact;
+    const bool by_W = draft.given("contact.adhesion.W");
+    const bool says_W = contact.omega_reading == OmegaReading::work_of_adhesion;
+    if (by_W && draft.given("contact.omega_reading") && !says_W)
+        throw Error(loc_of(draft, "contact.omega_reading"),
+                    "contact.omega_reading says how to read omega, but contact.adhesion.W is given",
+                    "leave it out, or give contact.adhesion.omega");
+    if (says_W && !by_W)
+        throw Error(loc_of(draft, "contact.omega_reading"),
+                    "contact.omega_reading = \"work_of_adhesion\" wants contact.adhesion.W");
+    if (by_W) {
+        contact.omega_reading = OmegaReading::work_of_adhesion;
+        contact.equilibrium_overlap_h0 = draft.equilibrium_overlap;
+        return;
+    }
+    if (draft.gamma_over_omega) {
+        if (!scene.cortex.tension)
+            throw Error(loc_of(draft, "contact.adhesion.gamma_over_omega"),
+                        "contact.adhesion.gamma_over_omega needs [cortex.tension]");
+        contact.omega_nN_per_um = gamma_of(scene) / *draft.gamma_over_omega;
+    }
+    const Reading reading = reading_of(contact.omega_reading);
+    contact.W_nN_per_um = reading.W_over_omega * contact.omega_nN_per_um;
+    contact.equilibrium_overlap_h0 = reading.overlap_h0;
+}
+
+void check_wetting(Draft& draft) {
+    Scene& scene = draft.scene;
+    const double W = scene.contact->W_nN_per_um;
+    const double limit = 2.0 * gamma_of(scene);
+    const Loc loc = loc_of(draft, "contact.adhesion");
+    const std::string reading =
+        fmt::format("W = {} nN/um (omega_reading = \"{}\")", W,
+                    std::array{"printed", "text", "two_sided", "per_cell", "work_of_adhesion"}.at(
+                        static_cast<std::size_t>(scene.contact->omega_reading)));
+    // relative: both are products of a few rounded numbers
+    const bool equal = std::abs(W - limit) <= 1e-12 * limit;
+    if (equal)
+        warn(
+            scene, loc,
+            fmt::format("{} equals 2 gamma: full wetting, contacts have no tension left", reading));
+    if (equal || W < limit || scene.allow_full_wetting) return;
+    const std::string beyond = scene.cortex.tension
+                                   ? fmt::format("is above 2 gamma = {} nN/um", limit)
+                                   : std::string("has no [cortex.tension] to resist it");
+    throw Error(loc, fmt::format("{} {}: cells flatten without limit", reading, beyond),
+                "allow it with scene.allow_full_wetting = true");
+}
+
+void resolve_contact(Draft& draft) {
+    Scene& scene = draft.scene;
+    if (!scene.contact) return;
+    scene.contact->adhesive = draft.given("contact.adhesion");
+    if (scene.cells.count == 1)
+        throw Error(scene.contact->loc, "a single cell has nothing to touch: remove [contact]");
+    if (!scene.contact->adhesive) return;
+    resolve_adhesion(draft);
+    check_wetting(draft);
+}
+
+// ---- cortex and cytosol
+// --------------------------------------------------------------------------
+
+void resolve_elastic(Draft& draft) {
+    Scene& scene = draft.scene;
+    Cortex& cortex = scene.cortex;
+    if (draft.Et_over_omega) {
+        if (!scene.contact || scene.contact->omega_nN_per_um <= 0.0)
+            throw Error(loc_of(draft, "cortex.elastic.Et_over_omega"),
+                        "cortex.elastic.Et_over_omega needs contact.adhesion.omega");
+        cortex.elastic->E_kPa =
+            *draft.Et_over_omega * scene.contact->omega_nN_per_um / cortex.thickness_um;
+    }
+    if (cortex.bending && !draft.given("cortex.bending.E")) {
+        if (!cortex.elastic)
+            throw Error(cortex.bending->loc, "cortex.bending.E is missing; it is required without "
+                                             "[cortex.elastic]");
+        cortex.bending->E_kPa = cortex.elastic->E_kPa;
+    }
+}
+
+void resolve_regularisation(Draft& draft) {
+    Cortex& cortex = draft.scene.cortex;
+    if (!cortex.regularisation) return;
+    Regularisation& guard = *cortex.regularisation;
+    if (!cortex.elastic || !cortex.tension)
+        throw Error(guard.loc,
+                    "[cortex.regularisation] needs [cortex.elastic] and [cortex.tension]");
+    const double Et = cortex.elastic->E_kPa * cortex.thickness_um;
+    if (!draft.given("cortex.regularisation.kappa"))
+        guard.kappa_nN_per_um = std::max(0.0, 0.5 * cortex.tension->gamma_nN_per_um - Et);
+    if (guard.kappa_nN_per_um == 0.0)
+        warn(draft.scene, guard.loc,
+             fmt::format("[cortex.regularisation] has kappa = 0 and does nothing (E t = {} nN/um, "
+                         "gamma = {} nN/um)",
+                         Et, cortex.tension->gamma_nN_per_um));
+}
+
+/// c / 2 gamma with c = eta t / sqrt(3): the paper's zeta, by which its printed times come out to
+/// all digits. Nothing without tension or viscosity.
+std::optional<double> relaxation_time(const Scene& scene) {
+    const Cortex& cortex = scene.cortex;
+    if (!cortex.tension || !cortex.viscosity) return std::nullopt;
+    return cortex.viscosity->eta_kPa_s * cortex.thickness_um /
+           (2.0 * std::numbers::sqrt3 * cortex.tension->gamma_nN_per_um);
+}
+
+void resolve_times(Draft& draft) {
+    Scene& scene = draft.scene;
+    const std::optional<double> zeta_s = relaxation_time(scene);
+    Method& method = scene.method;
+    // the paper's step is zeta / 30
+    if (!draft.given("method.dt"))
+        method.dt_s = std::min(zeta_s ? *zeta_s / 30.0 : 1e-3, method.dt_max_s);
+    const bool adaptive = method.tolerance_um > 0.0;
+    if (adaptive && !(method.dt_min_s <= method.dt_s && method.dt_s <= method.dt_max_s))
+        throw Error(
+            method.loc.line > 0 ? method.loc : Loc{scene.file, 0, 0},
+            fmt::format("method: dt ({} s) must lie between dt_min ({} s) and dt_max ({} s)",
+                        method.dt_s, method.dt_min_s, method.dt_max_s));
+    if (!scene.cytosol || scene.cytosol->controller != VolumeController::pid) return;
+    Cytosol& cytosol = *scene.cytosol;
+    if (!draft.given("cytosol.T_I")) {
+        if (!zeta_s)
+            throw Error(cytosol.loc,
+                        "cytosol.T_I is missing; its default needs [cortex.tension] and "
+                        "[cortex.viscosity]",
+                        "typical: 0.115 s");
+        cytosol.T_I_s = *zeta_s;
+    }
+    if (!draft.given("cytosol.T_d")) cytosol.T_d_s = 10.0 * cytosol.T_I_s;
+}
+
+// ---- loads, stages, pictures, expectations
+// -------------------------------------------------------
+
+void check_surroundings(const Draft& draft) {
+    const Scene& scene = draft.scene;
+    if (!scene.medium)
+        throw Error(Loc{scene.file, 0, 0},
+                    "the table [medium] is missing: without drag the velocities of cells are not "
+                    "defined",
+                    "[medium] with eta_f = \"0.05 kPa s\" is the paper's");
+    if (scene.body_force && scene.body_force->opposed && scene.cells.count != 2 &&
+        scene.cells.arrangement != Arrangement::file)
+        throw Error(
+            loc_of(draft, "load.body_force.opposed"),
+            fmt::format("load.body_force.opposed wants two cells, got {}", scene.cells.count));
+}
+
+void check_stages(const Draft& draft) {
+    const Scene& scene = draft.scene;
+    const bool packs = scene.cells.arrangement == Arrangement::packing;
+    if (scene.stages.empty())
+        throw Error(Loc{scene.file, 0, 0}, "the scene has no [[stage]]: nothing would happen");
+    if (packs && scene.stages.front().kind != StageKind::anneal)
+        throw Error(scene.stages.front().loc,
+                    "arrangement = \"packing\" wants a stage of kind \"anneal\" first, which packs "
+                    "the beads");
+    bool wall = false;
+    for (std::size_t k = 0; k < scene.stages.size(); ++k) {
+        const Stage& stage = scene.stages[k];
+        const bool needs_wall = stage.kind == StageKind::hold || stage.kind == StageKind::release;
+        if (stage.kind == StageKind::anneal && (!packs || k > 0))
+            throw Error(stage.loc, packs ? "a stage of kind \"anneal\" can only be the first"
+                                         : "a stage of kind \"anneal\" packs beads: it belongs to "
+                                           "arrangement = \"packing\"");
+        if ((needs_wall || stage.kind == StageKind::compact) && !scene.contact)
+            throw Error(stage.loc, "compact, hold and release need [contact]: cells without it "
+                                   "would be pressed through each other");
+        if (needs_wall && !wall)
+            throw Error(stage.loc, fmt::format("a stage of kind \"{}\" must follow \"compact\" or "
+                                               "\"hold\": there is no wall",
+                                               stage.kind == StageKind::hold ? "hold" : "release"));
+        if (wall && !needs_wall)
+            throw Error(stage.loc, "the wall is still there: a stage of kind \"release\" must come "
+                                   "before this one");
+        wall = stage.kind == StageKind::compact || stage.kind == StageKind::hold;
+    }
+}
+
+bool is_file_name(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '_' || c == '-';
+    });
+}
+
+void resolve_pictures(Draft& draft) {
+    Scene& scene = draft.scene;
+    std::vector<std::string>& fields = scene.measures.fields;
+    const auto has_field = [&](const std::string& name) {
+        return std::find(fields.begin(), fields.end(), name) != fields.end();
+    };
+    if (std::set<std::string>(fields.begin(), fields.end()).size() != fields.size())
+        throw Error(loc_of(draft, "measures.fields"), "measures.fields names a field twice");
+    std::set<std::string> names;
+    for (const Picture& picture : scene.pictures) {
+        if (!is_file_name(picture.name))
+            throw Error(picture.loc,
+                        fmt::format("a picture's name is made of letters, digits, '_' and '-', as "
+                                    "it names files; got \"{}\"",
+                                    picture.name));
+        if (!names.insert(picture.name).second)
+            throw Error(picture.loc,
+                        fmt::format("two pictures have the name \"{}\"", picture.name));
+        if (picture.network && !scene.contact)
+            throw Error(picture.loc, "picture.network draws contact forces: it needs [contact]");
+        if (picture.range == "given" && !(picture.given_range[0] < picture.given_range[1]))
+            throw Error(picture.loc, fmt::format("picture.given_range wants [lowest, highest], got "
+                                                 "[{}, {}]",
+                                                 picture.given_range[0], picture.given_range[1]));
+        if (!picture.field.empty() && !has_field(picture.field)) fields.push_back(picture.field);
+    }
+}
+
+void resolve_expect(Draft& draft) {
+    for (std::size_t k = 0; k < draft.scene.expect.size(); ++k) {
+        Expect& expect = draft.scene.expect[k];
+        const Draft::ExpectedValue& form = draft.expected_values[k];
+        const bool bounds = std::isfinite(expect.min) || std::isfinite(expect.max);
+        const bool one_width = form.tolerance.has_value() != form.relative.has_value();
+        const bool by_value = form.value && one_width;
+        if (bounds == by_value || (bounds && (form.value || form.tolerance || form.relative)))
+            throw Error(expect.loc, fmt::format("expect.{} wants min and max (or one of them), or "
+                                                "value with tolerance or relative",
+                                                expect.measure));
+        if (by_value) {
+            const double width =
+                form.tolerance ? *form.tolerance : *form.relative * std::abs(*form.value);
+            expect.min = *form.value - width;
+            expect.max = *form.value + width;
+        }
+        if (!(expect.min <= expect.max))
+            throw Error(expect.loc, fmt::format("expect.{}: min ({}) is above max ({})",
+                                                expect.measure, expect.min, expect.max));
+    }
+}
+
+}  // namespace
+
+void resolve(Draft& draft) {
+    if (draft.scene.title.empty())
+        draft.scene.title = std::filesystem::path(draft.scene.file).stem().string();
+    resolve_cells(draft);
+    resolve_contact(draft);
+    resolve_elastic(draft);
+    resolve_regularisation(draft);
+    resolve_times(draft);
+    check_surroundings(draft);
+    check_stages(draft);
+    resolve_pictures(draft);
+    resolve_expect(draft);
+}
+
+}  // namespace spheroscope::scene
