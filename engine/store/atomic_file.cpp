@@ -296,26 +296,30 @@ void AtomicFile::commit() {
     committed_size_ = size_;
 }
 
-void AtomicFile::write_new_pages() {
-    // Neighbouring pages go out together.
-    constexpr std::size_t k_run_bytes = 256 * k_page_bytes;
-    std::vector<std::byte> run;
-    bool good = true;
-    auto it = pages_.lower_bound((committed_size_ + k_page_bytes - 1) / k_page_bytes);
-    while (it != pages_.end() && good) {
+bool AtomicFile::write_pages(Part part) const {
+    constexpr std::size_t k_longest_run = 256 * k_page_bytes;
+    const auto border = pages_.lower_bound((committed_size_ + k_page_bytes - 1) / k_page_bytes);
+    auto it = part == Part::old_pages ? pages_.begin() : border;
+    const auto end = part == Part::old_pages ? border : pages_.end();
+    std::vector<std::byte> run;  // neighbouring pages go out together
+    while (it != end) {
         const std::uint64_t begin = it->first * k_page_bytes;
         run.clear();
-        for (; it != pages_.end() && run.size() < k_run_bytes &&
+        for (; it != end && run.size() < k_longest_run &&
                it->first * k_page_bytes == begin + run.size();
              ++it)
             run.insert(run.end(), it->second.begin(), it->second.end());
         run.resize(std::min<std::uint64_t>(run.size(), size_ - begin));
-        good = write_all(descriptor_, run, begin);
+        if (!write_all(descriptor_, run, begin)) return false;
     }
+    return true;
+}
+
+void AtomicFile::write_new_pages() const {
     // A file that ends in space nobody wrote to still has to be as long as HDF5 believes.
-    if (good && size_ > committed_size_)
-        good = ftruncate(descriptor_, static_cast<off_t>(size_)) == 0;
-    if (good) return;
+    if (write_pages(Part::new_pages) &&
+        (size_ <= committed_size_ || ftruncate(descriptor_, static_cast<off_t>(size_)) == 0))
+        return;
     const int error = errno;
     static_cast<void>(ftruncate(descriptor_, static_cast<off_t>(committed_size_)) == 0);
     fail("write it", error);
@@ -347,13 +351,8 @@ bool AtomicFile::write_journal() const {
 }
 
 void AtomicFile::apply_old_pages() const {
-    for (const auto& [number, page] : pages_) {
-        const std::uint64_t begin = number * k_page_bytes;
-        if (begin >= committed_size_) break;
-        const std::uint64_t n = std::min<std::uint64_t>(k_page_bytes, size_ - begin);
-        // An error here leaves the journal in place: the next one to open the file completes it.
-        if (!write_all(descriptor_, std::span(page).first(n), begin)) fail("write it", errno);
-    }
+    // An error here leaves the journal in place: the next one to open the file completes it.
+    if (!write_pages(Part::old_pages)) fail("write it", errno);
     if (ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) fail("set its size", errno);
 }
 

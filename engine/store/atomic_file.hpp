@@ -64,7 +64,9 @@ class AtomicFile {
     void open_new();
     void lock_as_writer(int descriptor) const;
     void take_over_journal();
-    void write_new_pages();
+    enum class Part { old_pages, new_pages };  ///< before the end at the last commit, behind it
+    [[nodiscard]] bool write_pages(Part part) const;
+    void write_new_pages() const;
     [[nodiscard]] bool write_journal() const;
     void apply_old_pages() const;
     [[nodiscard]] std::uint64_t first_page_checksum() const;

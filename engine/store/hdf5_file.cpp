@@ -84,7 +84,10 @@ File::File(const std::string& path, Mode mode)
     const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "open it"));
     check(use_storage(access, *storage_) ? 0 : -1, "open it");
     if (mode == Mode::create) {
-        file_ = check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "create it");
+        // An index of chunks has room for 64 by default, 2 KiB in each packed array; ours have one chunk.
+        const Handle layout(check(H5Pcreate(H5P_FILE_CREATE), "create it"));
+        check(H5Pset_istore_k(layout, 2), "create it");
+        file_ = check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, layout, access), "create it");
         return;
     }
     if (storage_->size() == 0) fail("wanted a run, got an empty file");

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <deque>
 
 #include <fmt/format.h>
@@ -12,41 +11,34 @@
 namespace spheroscope::run_format {
 namespace {
 
-constexpr std::array k_columns{
-    Column{"contact_fraction", "1", &Totals::contact_fraction},
-    Column{"coordination_Z", "1", &Totals::coordination_Z},
-    Column{"sigma_h_core", "kPa", &Totals::sigma_h_core_kPa},
-    Column{"sigma_h_rim", "kPa", &Totals::sigma_h_rim_kPa},
-    Column{"n_core_cells", "1", &Totals::n_core_cells},
-    Column{"virial_defect", "1", &Totals::virial_defect},
-    Column{"mean_pressure", "kPa", &Totals::mean_pressure_kPa},
-    Column{"volume_error", "1", &Totals::volume_error},
-    Column{"smallest_triangle", "1", &Totals::smallest_triangle},
-    Column{"n_flipped_triangles", "1", &Totals::n_flipped_triangles},
-    Column{"n_folds", "1", &Totals::n_folds},
-    Column{"normal_speed_rms", "um/s", &Totals::normal_speed_rms_um_per_s},
-    Column{"tangential_speed_max", "um/s", &Totals::tangential_speed_max_um_per_s},
-    Column{"energy", "fJ", &Totals::energy_fJ},
-    Column{"dissipation", "nN um/s", &Totals::dissipation_nN_um_per_s},
-    Column{"power_residual", "1", &Totals::power_residual},
-    Column{"steps", "1", &Diagnostics::steps},
-    Column{"rejected_steps", "1", &Diagnostics::rejected_steps},
-    Column{"linear_iterations", "1", &Diagnostics::linear_iterations},
-    Column{"dt", "s", &Diagnostics::dt_s},
-    Column{"force_residual", "nN", &Diagnostics::force_residual_nN},
-    Column{"force_balance", "nN", &Diagnostics::force_balance_nN},
-    Column{"step_error", "um", &Diagnostics::step_error_um},
-    Column{"wall_radius", "um", &Diagnostics::wall_radius_um},
-    Column{"wall_force", "nN", &Diagnostics::wall_force_nN},
+constexpr std::array k_diagnostics{
+    Column{"steps", "1", "accepted steps since the start", &Diagnostics::steps},
+    Column{"rejected_steps", "1", "rejected steps since the start", &Diagnostics::rejected_steps},
+    Column{"linear_iterations", "1", "iterations of the linear solver since the start",
+           &Diagnostics::linear_iterations},
+    Column{"dt", "s", "last accepted step", &Diagnostics::dt_s},
+    Column{"force_residual", "nN", "RMS nodal force of all terms", &Diagnostics::force_residual_nN},
+    Column{"force_balance", "nN", "length of the sum of all forces",
+           &Diagnostics::force_balance_nN},
+    Column{"step_error", "um", "error estimate of the last step", &Diagnostics::step_error_um},
+    Column{"wall_radius", "um", "radius of the wall; 0: no wall", &Diagnostics::wall_radius_um},
+    Column{"wall_force", "nN", "force of the wall on the cells", &Diagnostics::wall_force_nN},
 };
 
 // Stops compiling when a member comes or goes: then the table above needs its row.
-[[maybe_unused]] void every_member_has_a_column(const Totals& totals,
-                                                const Diagnostics& diagnostics) {
-    [[maybe_unused]] const auto& [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15,
-                                  t16] = totals;
+[[maybe_unused]] void every_member_has_a_column(const Diagnostics& diagnostics) {
     [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6, d7, d8, d9] = diagnostics;
-    static_assert(k_columns.size() == 16 + 9);
+    static_assert(k_diagnostics.size() == 9);
+}
+
+std::vector<Column> make_columns() {
+    std::vector<Column> columns;
+    for (const TotalsRow& row : all_totals())
+        std::visit([&](auto member) {
+            columns.push_back({row.name, row.unit, row.description, member});
+        }, row.member);
+    columns.insert(columns.end(), k_diagnostics.begin(), k_diagnostics.end());
+    return columns;
 }
 
 /// A header together with the texts that its fields point to.
@@ -165,7 +157,10 @@ void check_that_it_is_ours(const hdf5::File& file) {
 
 }  // namespace
 
-std::span<const Column> columns() { return k_columns; }
+std::span<const Column> columns() {
+    static const std::vector<Column> columns = make_columns();
+    return columns;
+}
 
 double column_value(const Column& column, const Snapshot& frame) {
     struct Get {
@@ -180,8 +175,12 @@ double column_value(const Column& column, const Snapshot& frame) {
     return std::visit(Get{frame}, column.member);
 }
 
-void set_column_value(const Column& column, Snapshot& frame, double value,
-                      const std::string& path) {
+bool is_count(const Column& column) {
+    return std::holds_alternative<int Totals::*>(column.member) ||
+           std::holds_alternative<std::int64_t Diagnostics::*>(column.member);
+}
+
+void set_column_value(const Column& column, Snapshot& frame, double value) {
     struct Set {
         Snapshot& frame;
         double value;
@@ -192,14 +191,6 @@ void set_column_value(const Column& column, Snapshot& frame, double value,
             frame.diagnostics.*m = static_cast<std::int64_t>(value);
         }
     };
-    const bool is_real = std::holds_alternative<double Totals::*>(column.member) ||
-                         std::holds_alternative<double Diagnostics::*>(column.member);
-    constexpr double k_largest_int = 2147483647.0, k_largest_exact = 9007199254740992.0;  // 2^53
-    const double largest =
-        std::holds_alternative<int Totals::*>(column.member) ? k_largest_int : k_largest_exact;
-    if (!is_real && !(std::abs(value) <= largest && value == std::trunc(value)))
-        throw Error(Loc{path}, fmt::format("wanted {} of frame {} to be a whole number, got {}",
-                                           column_path(column), frame.frame, value));
     std::visit(Set{frame, value}, column.member);
 }
 
@@ -246,9 +237,10 @@ void write_header(hdf5::File& file, const RunHeader& header) {
     for (std::size_t f = 0; f < header.fields.size(); ++f)
         write_field(file, *header.fields[f], static_cast<std::int64_t>(f));
     file.create_group("/diagnostics");
-    for (const Column& column : k_columns) {
+    for (const Column& column : columns()) {
         file.create_column(column_path(column));
         file.write_attribute(column_path(column), "unit", std::string(column.unit));
+        file.write_attribute(column_path(column), "description", std::string(column.description));
     }
     file.create_column("/time");
     file.write_attribute("/time", "unit", "s");

@@ -19,18 +19,19 @@ inline constexpr std::int64_t k_format_version = 1;
 
 /// A column of /diagnostics: one number of the whole aggregate per frame.
 struct Column {
-    std::string_view name;  ///< the member's
+    std::string_view name;
     std::string_view unit;
+    std::string_view description;
     std::variant<double Totals::*, int Totals::*, double Diagnostics::*, std::int64_t Diagnostics::*>
         member;
 };
-/// All members of Totals and Diagnostics.
+/// The table of totals, then the members of Diagnostics.
 [[nodiscard]] std::span<const Column> columns();
 [[nodiscard]] double column_value(const Column& column, const Snapshot& frame);
-/// Throws Error if a count is not a whole number.
-void set_column_value(const Column& column, Snapshot& frame, double value,
-                      const std::string& path);
-
+/// A count, or a real number, for which NaN stands for 'undefined'?
+[[nodiscard]] bool is_count(const Column& column);
+/// Precondition: a count's value is a whole number that fits.
+void set_column_value(const Column& column, Snapshot& frame, double value);
 [[nodiscard]] std::string column_path(const Column& column);  ///< "/diagnostics/dt"
 [[nodiscard]] std::string step_path(int frame);               ///< "/steps/000012"
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -27,6 +29,26 @@ std::vector<ContactLink> read_contacts(const File& file, const std::string& step
         links.push_back({a, b, forces[k], areas[k]});
     }
     return links;
+}
+
+/// A number that the file's version of the program did not have yet is undefined.
+double read_column(const File& file, const run_format::Column& column, int frame) {
+    const std::string path = run_format::column_path(column);
+    if (!run_format::is_count(column) && !file.exists(path))
+        return std::numeric_limits<double>::quiet_NaN();
+    const std::vector<double> values = file.read_array<double>(path);
+    if (values.size() <= static_cast<std::size_t>(frame))
+        file.fail(fmt::format("{} has no value for frame {}", path, frame));
+    const double value = values[static_cast<std::size_t>(frame)];
+    constexpr double k_largest_count = std::numeric_limits<int>::max();
+    const double largest = std::holds_alternative<int Totals::*>(column.member)
+                               ? k_largest_count
+                               : 9007199254740992.0;  // 2^53: whole numbers are exact up to it
+    if (run_format::is_count(column) &&
+        !(std::abs(value) <= largest && value == std::trunc(value)))
+        file.fail(fmt::format("wanted {} of frame {} to be a whole number, got {}", path, frame,
+                              value));
+    return value;
 }
 
 RunEnd read_end(const File& file) {
@@ -79,14 +101,8 @@ SnapshotPtr RunFileReader::frame(int number) const {
     frame->pressure_kPa = file.read_array<float>(step + "/cells/pressure", {n_cells});
     frame->volume_um3 = file.read_array<float>(step + "/cells/volume", {n_cells});
     frame->links = read_contacts(file, step, header_->n_cells);
-    for (const run_format::Column& column : run_format::columns()) {
-        const std::string path = run_format::column_path(column);
-        const std::vector<double> values = file.read_array<double>(path);
-        if (values.size() <= static_cast<std::size_t>(number))
-            file.fail(fmt::format("{} has no value for frame {}", path, number));
-        run_format::set_column_value(column, *frame, values[static_cast<std::size_t>(number)],
-                                     path_);
-    }
+    for (const run_format::Column& column : run_format::columns())
+        run_format::set_column_value(column, *frame, read_column(file, column, number));
     const auto bad = std::find_if_not(frame->x_um.begin(), frame->x_um.end(),
                                       [](float x) { return std::isfinite(x); });
     if (bad != frame->x_um.end())

@@ -79,9 +79,8 @@ Snapshot make_frame(const std::shared_ptr<const RunHeader>& header, int number) 
             frame.links.push_back({0, 1, static_cast<float>(s) / 3, static_cast<float>(k) / 7});
     double value = 11.5 * s;
     for (const run_format::Column& column : run_format::columns()) {
-        const bool is_count = column.name.starts_with("n_") || column.name.ends_with("steps") ||
-                              column.name == "linear_iterations";
-        run_format::set_column_value(column, frame, is_count ? std::floor(value) : value, "sample");
+        run_format::set_column_value(column, frame,
+                                     run_format::is_count(column) ? std::floor(value) : value);
         value += 1.25;
     }
     frame.totals.sigma_h_rim_kPa = nan;
