@@ -61,9 +61,6 @@ constexpr Applies with_centres{
 constexpr Applies with_file{
     [](const Draft& d, std::size_t) { return d.scene.cells.arrangement == Arrangement::file; },
     "with arrangement = \"file\""};
-constexpr Applies without_file{
-    [](const Draft& d, std::size_t) { return d.scene.cells.arrangement != Arrangement::file; },
-    "without arrangement = \"file\", whose meshes come with it"};
 // One key, two forms: a length is the radius of all cells, a table is a distribution. A packing
 // without either has the distribution of the paper.
 constexpr Applies as_one_radius{[](const Draft& d, std::size_t item) {
@@ -201,13 +198,13 @@ const auto& keys() {
 
         Key{"cells", "arrangement", choose<&S::cells, &Cells::arrangement>(k_arrangements), number,
             {}, {}, {}, "", "",
-            "Beads packed at random (needs a stage `anneal`), one cell, two cells along x, given "
+            "Beads packed at random (needs a stage `anneal`), one cell, two cells along z, given "
             "centres, or a frame of a finished run."},
         Key{"cells", "count", reach<&S::cells, &Cells::count>(), number, at_least_one, required,
             with_packing, "75 ... 600", "Cuvelier et al. 2021, section 2", "Number of cells."},
-        Key{"cells", "nodes", reach<&S::cells, &Cells::nodes>(), number, mesh_size, {},
-            without_file, "162 (quick), 642", k_ours,
-            "Nodes of each cell's mesh, a subdivided icosahedron."},
+        Key{"cells", "nodes", reach<&S::cells, &Cells::nodes>(), number, mesh_size, {}, {},
+            "162 (quick), 642", k_ours,
+            "Nodes of each cell's mesh, a subdivided icosahedron; must agree with `file`."},
         Key{"cells", "radius", reach<&S::cells, &Cells::radius, &Radius::fixed_um>(), length,
             positive, required, as_one_radius, "5 ... 13 um", k_table_2,
             "One radius for all cells, or the table [cells.radius]. A packing without either has "
@@ -417,5 +414,9 @@ const auto& keys() {
 
 std::span<const Table> all_tables() { return tables(); }
 std::span<const Key> all_keys() { return keys(); }
+
+std::string_view word_of(OmegaReading reading) {
+    return k_readings.at(static_cast<std::size_t>(reading));
+}
 
 }  // namespace spheroscope::scene

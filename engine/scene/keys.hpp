@@ -102,6 +102,9 @@ struct Table {
 [[nodiscard]] std::span<const Table> all_tables();
 [[nodiscard]] std::span<const Key> all_keys();
 
+/// As in scene files: "two_sided".
+[[nodiscard]] std::string_view word_of(OmegaReading reading);
+
 /// "stiffness (kPa)", "one of "packing", "single"", "list of texts".
 [[nodiscard]] std::string describe_type(const Key& key);
 

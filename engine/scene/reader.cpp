@@ -96,9 +96,12 @@ void check_names(const Value& value, const std::string& path) {
             } else {
                 check_names(entry.value, inner);
             }
-        } else if (entry.value.is_list_of_tables() && leads_to_table(inner)) {
+        } else if (entry.value.is_list_of_tables() && find_table(inner) != nullptr) {
             for (const Value& item : entry.value.items) check_names(item, inner);
-        } else if (find_key(path, entry.key) == nullptr && !leads_to_table(inner)) {
+        } else if (find_key(path, entry.key) == nullptr && find_table(inner) == nullptr) {
+            if (leads_to_table(inner))
+                throw Error(entry.loc, fmt::format("[{}] holds tables only: [{}.{}]", inner, inner,
+                                                   names_in(inner).front()));
             refuse_unknown(entry, path);
         }
     }

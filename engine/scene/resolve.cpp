@@ -17,7 +17,7 @@ double gamma_of(const Scene& scene) {
 }
 
 void warn(Scene& scene, const Loc& loc, const std::string& message) {
-    scene.warnings.push_back(fmt::format("{}: warning: {}", loc.text(), message));
+    scene.warnings.push_back(fmt::format("{}: {}", loc.text(), message));
 }
 
 Loc loc_of(const Draft& draft, std::string_view path) { return draft.document->loc_of(path); }
@@ -136,10 +136,8 @@ void check_wetting(Draft& draft) {
     const double W = scene.contact->W_nN_per_um;
     const double limit = 2.0 * gamma_of(scene);
     const Loc loc = loc_of(draft, "contact.adhesion");
-    const std::string reading =
-        fmt::format("W = {} nN/um (omega_reading = \"{}\")", W,
-                    std::array{"printed", "text", "two_sided", "per_cell", "work_of_adhesion"}.at(
-                        static_cast<std::size_t>(scene.contact->omega_reading)));
+    const std::string reading = fmt::format("W = {} nN/um (omega_reading = \"{}\")", W,
+                                            word_of(scene.contact->omega_reading));
     // relative: both are products of a few rounded numbers
     const bool equal = std::abs(W - limit) <= 1e-12 * limit;
     if (equal)

@@ -30,7 +30,7 @@ struct Cells {
     Loc loc;
     Arrangement arrangement = Arrangement::packing;
     int count = 0;                       ///< resolved for all but `file`, which says it itself: 0
-    int nodes = 162;                     ///< per cell: 42, 162, 642, 2562
+    int nodes = 162;                     ///< per cell: 42, 162, 642, 2562; `file`: must agree
     Radius radius;
     double gap_um = 0.2;                 ///< pair: between the two spheres
     std::vector<std::array<double, 4>> centres_um;  ///< centres: rows of x, y, z, radius
@@ -194,7 +194,7 @@ struct Scene {
     Measures measures;
     std::vector<Picture> pictures;
     std::vector<Expect> expect;
-    std::vector<std::string> warnings; ///< e.g. W = 2 gamma; to be shown once
+    std::vector<std::string> warnings; ///< e.g. W = 2 gamma, with its place; to be shown once
     std::string resolved_toml;         ///< canonical text of everything above that applies
 };
 

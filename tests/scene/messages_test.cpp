@@ -133,6 +133,12 @@ TEST(SceneMessages, TablesThatAreValuesAndListsThatAreTablesAreRefused) {
               "      | ^~~~~~~");
 }
 
+TEST(SceneMessages, ATableThatOnlyHoldsTablesIsNoValue) {
+    const std::string holds = "error: [load] holds tables only: [load.body_force]";
+    EXPECT_EQ(refusal("load = 5\n" + k_drop), "a.toml:1:1: " + holds);
+    EXPECT_EQ(refusal("[[load]]\n" + k_drop), "a.toml:1:3: " + holds);
+}
+
 TEST(SceneMessages, AWrongWordIsMetWithTheNearestOne) {
     EXPECT_EQ(
         refusal(with(k_drop, "\"single\"", "\"singel\"")),

@@ -119,7 +119,7 @@ TEST(SceneResolution, AdhesionAtFullWettingWarns) {
     const Scene scene = read(adhesion("", "gamma_over_omega = 0.5"));
     ASSERT_EQ(scene.warnings.size(), 1U);
     EXPECT_EQ(scene.warnings[0],
-              "a.toml:23:1: warning: W = 1 nN/um (omega_reading = \"text\") equals 2 gamma: full "
+              "a.toml:23:1: W = 1 nN/um (omega_reading = \"text\") equals 2 gamma: full "
               "wetting, contacts have no tension left");
     EXPECT_TRUE(read(k_doublet).warnings.empty());
 }
@@ -147,7 +147,7 @@ TEST(SceneResolution, TheStrainLimiterTakesWhatTheSpringsLack) {
     EXPECT_EQ(guarded("20 kPa").cortex.regularisation->kappa_nN_per_um, 0.0);
     ASSERT_EQ(guarded("20 kPa").warnings.size(), 1U);
     EXPECT_EQ(guarded("20 kPa").warnings[0],
-              "a.toml:16:1: warning: [cortex.regularisation] has kappa = 0 and does nothing (E t = "
+              "a.toml:16:1: [cortex.regularisation] has kappa = 0 and does nothing (E t = "
               "4 nN/um, gamma = 0.5 nN/um)");
     EXPECT_EQ(refusal(with(k_drop, "[medium]", "[cortex.regularisation]\n[medium]")),
               "a.toml:8:1: error: [cortex.regularisation] needs [cortex.elastic] and "
