@@ -7,12 +7,12 @@
 
 namespace spheroscope::render {
 
-/// A table of 256 colours from the low end of a range to its high end, with one colour for each side
+/// A table of colours from the low end of a range to its high end, with one colour for each side
 /// outside. Both maps are curves in the Oklab colour space (Ottosson 2020), cut into steps of equal
 /// length there, so that equal steps of the value look equal.
 class ColourMap {
   public:
-    static constexpr int k_size = 256;
+    static constexpr int k_size = 257;  ///< odd: the middle of the diverging map is an entry
 
     /// Blue - near white - red, lightness falling equally to both sides: red and blue stay apart for
     /// every common colour blindness, and the amount can be read from the lightness alone.

@@ -42,7 +42,7 @@ void check_picture(const scene::Picture& picture) {
 }
 
 std::string status_text(const Snapshot& snapshot, int time_decimals) {
-    if (snapshot.stage_name != "anneal")
+    if (shows_field(snapshot))
         return snapshot.stage_name + "   " + time_text(snapshot.time_s, time_decimals);
     // Seeding has no model time; how far it has got is what there is to say.
     if (std::isnan(snapshot.stage_progress)) return "seeding";
@@ -59,6 +59,10 @@ std::vector<std::string> notes(const Totals& totals) {
 }
 
 }  // namespace
+
+bool shows_field(const Snapshot& snapshot) {
+    return snapshot.stage_name != "anneal";
+}
 
 Vec3 aggregate_centre_um(const Snapshot& snapshot) {
     Vec3 sum = Vec3::Zero();
@@ -133,8 +137,7 @@ struct Renderer::Hidden {
         return finder.range();
     }
 
-    /// Colours the drawn cells; plain tints without a field and while beads are being seeded, when there
-    /// is no mechanics that a field could show.
+    /// Colours the drawn cells; plain tints where no field is shown.
     void colour_cells(const Snapshot& snapshot, const std::vector<int>& cells, Furniture& furniture);
     void draw_network(const Snapshot& snapshot, const Camera& camera, double reach_um,
                       Furniture& furniture);
@@ -143,7 +146,7 @@ struct Renderer::Hidden {
 void Renderer::Hidden::colour_cells(const Snapshot& snapshot, const std::vector<int>& cells,
                                     Furniture& furniture) {
     std::vector<Rgb> colours;
-    if (field == nullptr || snapshot.stage_name == "anneal") {
+    if (field == nullptr || !shows_field(snapshot)) {
         for (const int c : cells)
             colours.push_back(mix(plain_cell_colour(c), {255, 255, 255}, furniture.paleness));
         surfaces.update(snapshot, cells, Place::cell, colours);

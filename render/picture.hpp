@@ -11,6 +11,10 @@
 
 namespace spheroscope::render {
 
+/// Whether cells are coloured by the picture's field in this frame. While beads are being seeded there is no
+/// mechanics that a field could show: cells are plain then.
+[[nodiscard]] bool shows_field(const Snapshot& snapshot);
+
 /// What changes from frame to frame besides the snapshot.
 struct View {
     /// Half the height that the aggregate is given; the caller passes the largest extent of a movie, so

@@ -62,6 +62,25 @@ Range RangeFinder::range() const {
     return {low > smallest ? -nice_ceil(low) : 0.0, nice_ceil(high)};
 }
 
+double RangeFinder::share_outside(const Range& range) const {
+    if (n_values_ == 0) return 0.0;
+    std::int64_t n_outside = 0;
+    const auto count = [&](const std::vector<std::int64_t>& counts, double sign) {
+        for (std::size_t bin = 0; bin < counts.size(); ++bin) {
+            // A bin counts unless all of it is inside. 1e-6: values are float32.
+            const double far = sign * upper_edge(bin) * field_.shown_per_stored;
+            const double near = bin == 0 ? 0.0 : sign * upper_edge(bin - 1) * field_.shown_per_stored;
+            const double slack = 1e-6 * (range.high - range.low);
+            const bool inside = std::max(far, near) <= range.high + slack &&
+                                std::min(far, near) >= range.low - slack;
+            if (!inside) n_outside += counts[bin];
+        }
+    };
+    count(positive_, +1.0);
+    count(negative_, -1.0);
+    return static_cast<double>(n_outside) / static_cast<double>(n_values_);
+}
+
 double nice_ceil(double x) {
     constexpr std::array<double, 11> steps{1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
     const double decade = std::pow(10.0, std::floor(std::log10(x)));

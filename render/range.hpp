@@ -32,6 +32,8 @@ class RangeFinder {
     [[nodiscard]] std::int64_t n_values() const { return n_values_; }
     /// The range of all values so far; the smallest range if there was none.
     [[nodiscard]] Range range() const;
+    /// An upper bound of the share of the values that lie outside a range (shown unit); 0 without values.
+    [[nodiscard]] double share_outside(const Range& range) const;
 
   private:
     /// The smallest bin edge with at most k_share_beyond of all values above it, stored unit.

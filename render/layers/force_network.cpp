@@ -125,6 +125,7 @@ Rgb ForceNetwork::tube_colour(double force_nN, double f) {
 NetworkCount ForceNetwork::update(const Snapshot& snapshot) {
     Hidden& h = *hidden_;
     NetworkCount count;
+    count.unit_radius_um = tube_radius_um(1.0);
     count.n_links = static_cast<int>(snapshot.links.size());
     for (const ContactLink& link : snapshot.links)
         count.mean_force_nN += std::abs(static_cast<double>(link.force_nN));

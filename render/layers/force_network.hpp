@@ -14,6 +14,7 @@ struct NetworkCount {
     int n_links = 0;          ///< touching pairs of cells
     int n_left_out = 0;       ///< with f below k_smallest_drawn
     double mean_force_nN = 0.0;  ///< <|F|> over all touching pairs; 0 if there are none
+    double unit_radius_um = 0.0; ///< of a tube with f = 1
 };
 
 /// The contact forces between cells: a tube from centre to centre for each touching pair, its radius

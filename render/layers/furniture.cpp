@@ -70,7 +70,7 @@ class Writer {
 
     /// A value bar from (x, y_top) down; returns the y below its last part.
     double colour_bar(double x, double y_top, double height, const Furniture& furniture);
-    double network_key(double x, double y, const NetworkCount& network);
+    double network_key(double x, double y, const NetworkCount& network, double px_per_um);
 
   private:
     Image& image_;
@@ -130,22 +130,29 @@ double Writer::colour_bar(double x, double y_top, double height, const Furniture
     return y;
 }
 
-double Writer::network_key(double x, double y, const NetworkCount& network) {
-    text_.draw(image_, x, y, "contact force", {scaled(k_text), k_ink, FontStyle::normal, TextMode::plain});
-    const auto sample = [&](double force_nN, const std::string& words) {
+double Writer::network_key(double x, double y, const NetworkCount& network, double px_per_um) {
+    line(x, y, "contact force");
+    // A wedge shows thickness and colour from the thinnest tube to that of three times the mean.
+    const auto wedge = [&](double force_nN, const std::string& words) {
         y += scaled(k_line);
-        const double half = scaled(4.5), middle = y - scaled(0.34 * k_text);
-        fill_rectangle(image_, x, middle - half, x + scaled(40.0), middle + half,
-                       ForceNetwork::tube_colour(force_nN, 3.0));
-        line(x + scaled(50.0), y, words);
+        const double middle = y - scaled(0.34 * k_text);
+        const int n_columns = static_cast<int>(scaled(44.0));
+        for (int k = 0; k < n_columns; ++k) {
+            const double f = 3.0 * (k + 0.5) / n_columns;
+            if (f < ForceNetwork::k_smallest_drawn) continue;
+            const double half =
+                std::min(scaled(11.0), network.unit_radius_um * std::sqrt(f) * px_per_um);
+            fill_rectangle(image_, x + k, middle - half, x + k + 1.0, middle + half,
+                           ForceNetwork::tube_colour(force_nN, f));
+        }
+        line(x + scaled(54.0), y, words);
     };
-    sample(+1.0, "compression");
-    sample(-1.0, "tension");
+    wedge(+1.0, "compression");
+    wedge(-1.0, "tension");
     if (network.n_links > 0)
-        line(x, y += scaled(k_line), fmt::format("⟨F⟩ = {:.3g} nN", network.mean_force_nN));
+        line(x, y += scaled(k_line), fmt::format("⟨|F|⟩ = {:.3g} nN", network.mean_force_nN));
     line(x, y += scaled(k_line),
-         fmt::format("{} of {} shown", network.n_links - network.n_left_out, network.n_links),
-         k_soft_ink);
+         fmt::format("{} of {} left out", network.n_left_out, network.n_links), k_soft_ink);
     return y;
 }
 
@@ -201,7 +208,7 @@ void draw_furniture(Image& image, TextPainter& text, const Furniture& furniture)
     } else {
         y += scaled(k_text);
     }
-    if (furniture.network) writer.network_key(x, y, *furniture.network);
+    if (furniture.network) writer.network_key(x, y, *furniture.network, furniture.px_per_um);
 }
 
 std::string time_text(double time_s, int decimals) {
