@@ -22,6 +22,12 @@ class Random {
 };
 
 /// One stream per use, so that adding a use does not change the numbers of another.
-enum class RandomStream : std::uint32_t { cell_radius = 1, bead_start = 2, bead_noise = 3, probe = 4 };
+enum class RandomStream : std::uint32_t {
+    cell_radius = 1,
+    bead_start = 2,
+    bead_noise = 3,
+    probe = 4,
+    orientation = 5,
+};
 
 }  // namespace spheroscope

@@ -35,6 +35,8 @@ struct Verb {
 
 // One file verb_<name>.cpp each.
 [[nodiscard]] Verb check_verb();
+[[nodiscard]] Verb info_verb();
+[[nodiscard]] Verb run_verb();
 [[nodiscard]] Verb scenes_verb();
 
 }  // namespace spheroscope::cli

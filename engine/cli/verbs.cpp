@@ -2,6 +2,6 @@
 
 namespace spheroscope::cli {
 
-std::vector<Verb> engine_verbs() { return {check_verb(), scenes_verb()}; }
+std::vector<Verb> engine_verbs() { return {run_verb(), check_verb(), info_verb(), scenes_verb()}; }
 
 }  // namespace spheroscope::cli

@@ -17,6 +17,8 @@ struct MeasureInput {
     std::span<const double> pressure_kPa;        ///< [cells]; empty without cytosol
     std::span<const Mat3> cell_stress_kPa;       ///< [cells]; empty without contacts
     double touching_area_um2 = 0.1;
+    double omega_nN_per_um = 0.0;                ///< as the scene reads it; 0: not given
+    double W_nN_per_um = 0.0;                    ///< work of adhesion; 0: no adhesion
 };
 
 /// Stress tensor of every cell from its contact forces, kPa, tension positive, symmetric (Cuvelier et

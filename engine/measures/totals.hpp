@@ -1,25 +1,49 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+#include <variant>
+
 namespace spheroscope {
+
+struct MeasureInput;
 
 /// Numbers of the whole aggregate at one time; NaN where undefined (then shown as 'undefined').
 struct Totals {
-    double contact_fraction;      ///< 2 sum S_AB / sum S_A
-    double coordination_Z;        ///< 2 n_links / n_cells
-    double sigma_h_core_kPa;      ///< unweighted mean over core cells
-    double sigma_h_rim_kPa;       ///< unweighted mean over the other cells
+    double contact_fraction;
+    double coordination_Z;
+    double sigma_h_core_kPa;
+    double sigma_h_rim_kPa;
     int n_core_cells;
-    double virial_defect;         ///< |sum V sigma_h| / sum V |sigma_h|
+    double R_th_um;
+    double eps_YL_omega;
+    double eps_YL_W;
+    double virial_defect;
+    double virial_identity;
     double mean_pressure_kPa;
-    double volume_error;          ///< max |V - V*| / V*
-    double smallest_triangle;     ///< smallest area / mean area of its cell
+    double volume_error;
+    double smallest_triangle;
     int n_flipped_triangles;
-    int n_folds;                  ///< edges with n1 . n2 < -0.5
+    int n_folds;
     double normal_speed_rms_um_per_s;
     double tangential_speed_max_um_per_s;
-    double energy_fJ;             ///< stored energy of the conservative terms
-    double dissipation_nN_um_per_s;  ///< v . Gamma v
-    double power_residual;        ///< (dE/dt + v . Gamma v - work of walls and loads) / (v . Gamma v)
+    double energy_fJ;
+    double dissipation_nN_um_per_s;
+    double power_residual;
 };
+
+/// One row of the table of totals: the file, `info`, `--json` and [expect] read it.
+struct TotalsRow {
+    std::string_view name;
+    std::string_view unit;
+    std::string_view description;
+    std::variant<double Totals::*, int Totals::*> member;
+};
+[[nodiscard]] std::span<const TotalsRow> all_totals();
+[[nodiscard]] double value_of(const TotalsRow& row, const Totals& totals);
+
+/// Everything that follows from one configuration. Energy, powers and virial_identity are left undefined:
+/// the run knows them. `at.geometry` holds triangles and volumes.
+[[nodiscard]] Totals compute_totals(const MeasureInput& input);
 
 }  // namespace spheroscope

@@ -38,12 +38,14 @@ struct Trouble {
 /// time. Knows no method; methods know no term.
 class System {
   public:
-    System(Model model, SystemParts parts, int n_threads);
+    /// `also`: geometry that somebody else than the terms will read (measures).
+    System(Model model, SystemParts parts, int n_threads, Need also = Need::none);
 
     enum class Detail { forces, forces_and_stiffness };
 
     /// Computes geometry, contacts, F and, if asked, K at these unknowns, with the wall at
-    /// wall_radius_um (0: none). Returns what is not finite, if anything.
+    /// wall_radius_um (0: none). Returns what is not finite, if anything. Does nothing if the last
+    /// evaluation was of the same bits.
     [[nodiscard]] std::optional<Trouble> evaluate(std::span<const Vec3> x_um,
                                                   std::span<const double> volume_integral_s,
                                                   double wall_radius_um, Detail detail);
@@ -97,8 +99,9 @@ class System {
     std::vector<double> drag_;
     std::vector<double> volume_friction_;
     // The last evaluation.
-    std::span<const Vec3> x_um_;
-    std::span<const double> volume_integral_s_;
+    bool is_evaluated_ = false;
+    std::vector<Vec3> x_um_;
+    std::vector<double> volume_integral_s_;
     double wall_radius_um_ = 0.0;
     Geometry geometry_;
     Contacts contacts_;

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/cli/options.hpp"
+#include "engine/cli/verb.hpp"
+#include "engine/run/engine.hpp"
+#include "engine/run/expectations.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace spheroscope::cli {
+
+/// Where a run's results go: <folder>/run.h5 and, beside it, its checkpoints and the .xdmf.
+struct RunPlace {
+    std::string folder;
+    [[nodiscard]] std::string run_file() const { return folder + "/run.h5"; }
+};
+/// --output, or out/<scene's name>.
+[[nodiscard]] RunPlace run_place(const std::string& scene_file, const CommonOptions& options);
+
+struct SimulationSummary {
+    RunResult result;
+    std::vector<Expectation> expectations;
+    ExitCode code = ExitCode::ok;
+};
+
+/// Simulates a scene into its place: the engine in its own thread, the store in another one, both joined
+/// before this returns. SIGINT and SIGTERM end the step in progress and leave a checkpoint.
+/// With options.resume the run goes on from its newest checkpoint. Throws Error when it cannot begin: an
+/// unfinished run is never overwritten unless `overwrite`.
+[[nodiscard]] SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
+                                         const CommonOptions& options, bool overwrite,
+                                         const Invocation& invocation);
+
+/// The summary for people, and for scripts.
+[[nodiscard]] std::string summary_text(const SimulationSummary& summary, const RunPlace& place);
+[[nodiscard]] nlohmann::json summary_json(const SimulationSummary& summary, const RunPlace& place);
+
+}  // namespace spheroscope::cli

@@ -1,0 +1,356 @@
+// One run from top to bottom: stages one after another; in a stage, steps to the next output; at an output,
+// measures and a snapshot. Everything that decides what comes next is in RunState, so a run that goes on
+// from a checkpoint does the same steps as one that was never stopped.
+
+#include "engine/run/engine.hpp"
+
+#include "engine/forces/in_plane_elasticity.hpp"
+#include "engine/run/snapshot_maker.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace spheroscope {
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+/// Interval of measurements in a stage that has no outputs of its own but a condition to check.
+constexpr double k_check_every_s = 1.0;
+
+/// Steps of annealing between two looks at the stop flag.
+constexpr int k_anneal_chunk = 200;
+
+double wall_clock_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+std::vector<const Field*> wanted_fields(const scene::Scene& scene) {
+    std::vector<const Field*> fields;
+    for (const std::string& name : scene.measures.fields) {
+        const Field* field = find_field(name);
+        if (field == nullptr) {
+            std::string known;
+            for (const Field& row : all_fields()) known += " " + std::string(row.name);
+            throw Error(scene.measures.loc, "measures.fields: there is no field '" + name + "'",
+                        "fields are:" + known);
+        }
+        const bool present = field->requires_part == Requires::nothing ||
+                             (field->requires_part == Requires::elastic && scene.cortex.elastic) ||
+                             (field->requires_part == Requires::contact && scene.contact) ||
+                             (field->requires_part == Requires::cytosol && scene.cytosol);
+        if (!present)
+            throw Error(scene.measures.loc,
+                        "measures.fields: '" + name +
+                            "' means nothing here: the scene has no part that makes it",
+                        "it is " + std::string(field->description));
+        fields.push_back(field);
+    }
+    return fields;
+}
+
+}  // namespace
+
+Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
+               const std::optional<GivenCells>& given)
+    : scene_(scene), options_(options) {
+    const MethodRow* method = find_method(scene.method.name);
+    if (method == nullptr) {
+        std::string known;
+        for (const MethodRow& row : all_methods()) known += " " + std::string(row.name);
+        throw Error(scene.method.loc, "there is no method '" + scene.method.name + "'",
+                    "methods are:" + known);
+    }
+    method_ = method->make(method_parameters(scene));
+    const double target_strain = scene.cytosol ? scene.cytosol->target_strain : 0.0;
+    Model model = make_model(make_icosphere(scene.cells.nodes), cell_radii(scene, given),
+                             target_strain);
+    run_.radius_um = model.radius_um;
+    run_.state.x_um = start_positions(scene, model, given);
+    run_.state.v_um_per_s.assign(model.n_all_nodes(), Vec3::Zero());
+    run_.state.volume_integral_s.assign(model.radius_um.size(), 0.0);
+
+    header_ = std::make_shared<RunHeader>();
+    header_->topology = model.topology;
+    header_->n_cells = model.n_cells();
+    header_->title = scene.title;
+    header_->scene_name = scene.file.substr(scene.file.find_last_of('/') + 1);
+    header_->resolved_scene = scene.resolved_toml;
+    header_->seed = scene.seed;
+    header_->version = options.version;
+    header_->command_line = options.command_line;
+    header_->fields = wanted_fields(scene);
+    for (const double radius : model.radius_um)
+        header_->radius_um.push_back(static_cast<float>(radius));
+
+    if (scene.cortex.elastic) {
+        const MeshTopology& mesh = *model.topology;
+        for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+            spring_nN_per_um_.push_back(k_spring_nN_per_um(
+                scene.cortex.elastic->E_kPa, scene.cortex.thickness_um,
+                model.unit_triangle_area[idx(mesh.edges[e].left)],
+                model.unit_triangle_area[idx(mesh.edges[e].right)], model.unit_edge_length[e]));
+    }
+    // Measures look at normals and volumes even where no force needs them.
+    system_ = std::make_unique<System>(std::move(model), build_parts(scene), options.threads,
+                                       Need::triangles | Need::volumes);
+}
+
+Engine::~Engine() = default;
+
+void Engine::resume(const RunState& run) {
+    if (run.radius_um != run_.radius_um || run.state.x_um.size() != run_.state.x_um.size())
+        throw Error("the checkpoint is of other cells than the scene",
+                    "resume with the scene that the run began with");
+    run_ = run;
+}
+
+RunResult Engine::run(const EngineSinks& sinks, const std::atomic<bool>& stop) {
+    sinks_ = &sinks;
+    stop_ = &stop;
+    started_wall_s_ = checkpointed_wall_s_ = wall_clock_s();
+    result_ = {};
+    const int n_stages = static_cast<int>(scene_.stages.size());
+    Next next = Next::go_on;
+    while (next == Next::go_on && run_.stage < n_stages) {
+        const scene::Stage& stage = scene_.stages[idx(run_.stage)];
+        next = stage.kind == scene::StageKind::anneal ? anneal(stage) : advance(stage);
+    }
+    if (next == Next::go_on) {
+        result_.verdict = run_.met_cap ? RunVerdict::cap : RunVerdict::finished;
+        result_.outcome = run_.met_cap ? "cap" : std::string(name_of(run_.end));
+        write_checkpoint();
+        result_.totals = measure();
+    }
+    result_.wall_s = wall_clock_s() - started_wall_s_;
+    result_.work = system_->work();
+    result_.work.steps = run_.diagnostics.steps;
+    result_.work.rejected_steps = run_.diagnostics.rejected_steps;
+    result_.time_s = run_.state.time_s;
+    result_.frames = run_.frames;
+    result_.state_hash = run_.state.hash();
+    return result_;
+}
+
+Engine::Next Engine::anneal(const scene::Stage& stage) {
+    const Model& model = system_->model();
+    BeadPacking packing(run_.radius_um, packing_parameters(stage), scene_.seed);
+    if (run_.stage_has_begun) packing.restore(run_.beads);
+    const auto put_cells = [&] {
+        place_cells(model, packing.centre_um(), scene_.seed, run_.state.x_um);
+    };
+    run_.stage_has_begun = true;
+    // Frames are spread evenly over the annealing steps; the last one is the finished packing.
+    const auto frame_step = [&](std::int64_t frame) {
+        return static_cast<int>(frame * stage.steps / std::max(1, stage.frames - 1));
+    };
+    while (!packing.is_finished()) {
+        const bool frame_is_due = stage.frames > 1 && run_.outputs_in_stage < stage.frames - 1 &&
+                                  packing.state().step == frame_step(run_.outputs_in_stage);
+        if (frame_is_due) {
+            put_cells();
+            ++run_.outputs_in_stage;
+            if (publish(measure(), packing.progress()) == Next::stop) return Next::stop;
+        }
+        int n_steps = k_anneal_chunk;
+        if (run_.outputs_in_stage < stage.frames - 1 && packing.state().phase == PackingPhase::annealing)
+            n_steps = std::min(n_steps, std::max(1, frame_step(run_.outputs_in_stage) -
+                                                        packing.state().step));
+        packing.advance(n_steps);
+        run_.beads = packing.state();
+        if (between_steps(packing.progress()) == Next::stop) return Next::stop;
+    }
+    const PackingOutcome outcome = packing.outcome();
+    if (outcome.verdict != PackingVerdict::packed) {
+        result_.verdict = RunVerdict::unstable;
+        result_.outcome = "not packed";
+        result_.message = stage.loc.text() + ": " + outcome.reason;
+        return Next::stop;
+    }
+    put_cells();
+    if (stage.frames > 0) {
+        ++run_.outputs_in_stage;
+        if (publish(measure(), 1.0) == Next::stop) return Next::stop;
+    }
+    run_.beads = {};
+    finish_stage(StageEnd::done);
+    return Next::go_on;
+}
+
+Engine::Next Engine::advance(const scene::Stage& parameters) {
+    const std::unique_ptr<Stage> stage = make_stage(parameters);
+    StageContext context{*system_, run_.state, run_.memory};
+    if (!run_.stage_has_begun) {
+        run_.memory.start_s = run_.state.time_s;
+        stage->begin(context);
+        run_.stage_has_begun = true;
+        run_.has_energy = false;
+        if (run_.frames == 0 && parameters.every_s > 0.0 &&
+            publish(measure(), 0.0) == Next::stop)  // the start itself is a frame
+            return Next::stop;
+    }
+    const double interval_s = parameters.every_s > 0.0 ? parameters.every_s : k_check_every_s;
+    StageEnd end = StageEnd::none;
+    while (end == StageEnd::none) {
+        const double output_s =
+            run_.memory.start_s + interval_s * static_cast<double>(run_.outputs_in_stage + 1);
+        const double limit_s = std::min(output_s, stage->latest_end_s(context));
+        const StepOutcome step =
+            method_->advance(*system_, run_.state, limit_s, run_.state.wall.acts());
+        Diagnostics& d = run_.diagnostics;
+        d.rejected_steps += step.rejected;
+        d.linear_iterations += step.linear_iterations;
+        if (!step.accepted) {
+            write_checkpoint();
+            result_.verdict = RunVerdict::unstable;
+            result_.outcome = "unstable";
+            result_.message = "t = " + std::to_string(run_.state.time_s) + " s, step " +
+                              std::to_string(d.steps) + ", dt = " + std::to_string(step.dt_s) +
+                              " s: " + step.trouble->text();
+            return Next::stop;
+        }
+        ++d.steps;
+        d.dt_s = step.dt_s;
+        d.force_residual_nN = step.force_rms_nN;
+        d.force_balance_nN = step.force_sum_nN;
+        d.step_error_um = step.error_um;
+        run_.dissipated_fJ += step.dt_s * step.dissipation_nN_um_per_s;
+        run_.driven_fJ += step.dt_s * step.drive_power_nN_um_per_s;
+        end = stage->after_step(context);
+        if (end != StageEnd::none || run_.state.time_s >= output_s) {
+            if (run_.state.time_s >= output_s) ++run_.outputs_in_stage;
+            const Totals totals = measure();
+            if (end == StageEnd::none || end == StageEnd::cap) {
+                const StageEnd met = stage->after_measure(context, totals);
+                if (met != StageEnd::none) end = met;
+            }
+            const bool is_output = parameters.every_s > 0.0 || end != StageEnd::none;
+            if (is_output && publish(totals, stage->progress(context)) == Next::stop)
+                return Next::stop;
+        }
+        if (end == StageEnd::none && between_steps(stage->progress(context)) == Next::stop)
+            return Next::stop;
+    }
+    stage->end(context);
+    finish_stage(end);
+    return Next::go_on;
+}
+
+void Engine::finish_stage(StageEnd end) {
+    run_.end = end;
+    if (end == StageEnd::cap) run_.met_cap = true;
+    ++run_.stage;
+    run_.stage_has_begun = false;
+    run_.outputs_in_stage = 0;
+    write_checkpoint();
+}
+
+MeasureInput Engine::measure_input(const Configuration& at) {
+    MeasureInput input{.at = at,
+                       .v_um_per_s = run_.state.v_um_per_s,
+                       .spring_nN_per_um = spring_nN_per_um_,
+                       .pressure_kPa = {},
+                       .cell_stress_kPa = {}};
+    input.touching_area_um2 = scene_.measures.touching_area_um2;
+    if (scene_.cortex.tension) input.gamma_nN_per_um = scene_.cortex.tension->gamma_nN_per_um;
+    pressure_kPa_.clear();
+    if (const CytosolPressure* cytosol = system_->parts().cytosol)
+        for (int cell = 0; cell < at.model.n_cells(); ++cell)
+            pressure_kPa_.push_back(cytosol->pressure_kPa(at, cell));
+    input.pressure_kPa = pressure_kPa_;
+    cell_stress_kPa_.clear();
+    if (system_->parts().contact) cell_stress_kPa_ = cell_stress_tensors(at);
+    input.cell_stress_kPa = cell_stress_kPa_;
+    if (scene_.contact && scene_.contact->adhesive) {
+        input.omega_nN_per_um = scene_.contact->omega_nN_per_um;
+        input.W_nN_per_um = scene_.contact->W_nN_per_um;
+    }
+    return input;
+}
+
+Totals Engine::measure() {
+    const double wall_um = run_.state.wall.acts() ? run_.state.wall.radius_um : 0.0;
+    // What is not finite here is found again, and reported, by the next step.
+    static_cast<void>(system_->evaluate(run_.state.x_um, run_.state.volume_integral_s, wall_um,
+                                        System::Detail::forces));
+    const Configuration at = system_->configuration();
+    const MeasureInput input = measure_input(at);
+    Totals totals = compute_totals(input);
+    if (!cell_stress_kPa_.empty()) {
+        const std::vector<double> inside =
+            hydrostatic_stress_from_inside(at, system_->force_nN());
+        double difference2 = 0.0, size2 = 0.0;
+        for (std::size_t cell = 0; cell < inside.size(); ++cell) {
+            const double sigma_h = cell_stress_kPa_[cell].trace() / 3.0;
+            difference2 += (sigma_h - inside[cell]) * (sigma_h - inside[cell]);
+            size2 += sigma_h * sigma_h;
+        }
+        if (size2 > 0.0) totals.virial_identity = std::sqrt(difference2 / size2);
+    }
+    const double energy_fJ = system_->energy_fJ();
+    totals.energy_fJ = energy_fJ;
+    if (run_.has_energy && run_.dissipated_fJ > 0.0)
+        totals.power_residual =
+            (energy_fJ - run_.energy_fJ + run_.dissipated_fJ - run_.driven_fJ) /
+            run_.dissipated_fJ;
+    run_.energy_fJ = energy_fJ;
+    run_.has_energy = true;
+    run_.dissipated_fJ = 0.0;
+    run_.driven_fJ = 0.0;
+    Diagnostics& d = run_.diagnostics;
+    d.wall_radius_um = wall_um;
+    d.wall_force_nN = 0.0;
+    if (wall_um > 0.0)
+        for (const Vec3& f : system_->force_of_term(*system_->parts().wall))
+            d.wall_force_nN += f.norm();
+    return totals;
+}
+
+Engine::Next Engine::publish(const Totals& totals, double progress) {
+    const scene::Stage& stage = scene_.stages[idx(run_.stage)];
+    const Configuration at = system_->configuration();
+    auto snapshot = std::make_shared<Snapshot>(
+        make_snapshot(header_, measure_input(at), run_.diagnostics, totals));
+    snapshot->frame = run_.frames++;
+    snapshot->time_s = run_.state.time_s;
+    snapshot->stage = run_.stage;
+    snapshot->stage_name = name_of(stage.kind);
+    snapshot->stage_progress = progress;
+    result_.totals = totals;
+    if (const auto reason = sinks_->frame(std::move(snapshot))) {
+        result_.verdict = RunVerdict::sink_failed;
+        result_.outcome = "stopped";
+        result_.message = *reason;
+        return Next::stop;
+    }
+    return Next::go_on;
+}
+
+Engine::Next Engine::between_steps(double progress) {
+    if (sinks_->progress)
+        sinks_->progress({run_.state.time_s, run_.diagnostics.dt_s, run_.stage,
+                          static_cast<int>(scene_.stages.size()),
+                          name_of(scene_.stages[idx(run_.stage)].kind), progress,
+                          run_.diagnostics.steps});
+    const double now_s = wall_clock_s();
+    const bool limit_met =
+        options_.wall_limit_s > 0.0 && now_s - started_wall_s_ >= options_.wall_limit_s;
+    if (stop_->load() || limit_met) {
+        write_checkpoint();
+        result_.verdict = stop_->load() ? RunVerdict::stopped : RunVerdict::time_limit;
+        result_.outcome = stop_->load() ? "stopped" : "time limit";
+        return Next::stop;
+    }
+    if (now_s - checkpointed_wall_s_ >= options_.checkpoint_every_wall_s) write_checkpoint();
+    return Next::go_on;
+}
+
+void Engine::write_checkpoint() {
+    if (sinks_->checkpoint) sinks_->checkpoint(save(run_));
+    checkpointed_wall_s_ = wall_clock_s();
+}
+
+}  // namespace spheroscope

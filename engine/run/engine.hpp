@@ -1,0 +1,106 @@
+#pragma once
+
+#include "engine/run/run_state.hpp"
+#include "engine/run/snapshot.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/solve/method.hpp"
+#include "engine/stages/build.hpp"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace spheroscope {
+
+struct EngineOptions {
+    int threads = 2;
+    std::string version;
+    std::string command_line;
+    double checkpoint_every_wall_s = 10.0;
+    double wall_limit_s = 0.0;          ///< stop with a checkpoint after this wall time; 0: no limit
+};
+
+/// For progress bars.
+struct RunProgress {
+    double time_s = 0.0;
+    double dt_s = 0.0;
+    int stage = 0;
+    int n_stages = 0;
+    std::string_view stage_name;
+    double stage_progress = 0.0;  ///< 0..1, or NaN
+    std::int64_t steps = 0;
+};
+
+/// Where frames and checkpoints go; both are called in the engine's thread. The engine knows no files.
+struct EngineSinks {
+    /// Returns the reason if the frame could not be taken; then the run ends with it.
+    std::function<std::optional<std::string>(SnapshotPtr)> frame;
+    /// May throw Error; the run ends with it. Called only when all frames before it were taken.
+    std::function<void(const CheckpointData&)> checkpoint;
+    /// After every step, for progress bars; may be empty.
+    std::function<void(const RunProgress&)> progress;
+};
+
+/// How a run ended.
+enum class RunVerdict { finished, cap, stopped, time_limit, unstable, sink_failed };
+
+struct RunResult {
+    RunVerdict verdict = RunVerdict::finished;
+    std::string outcome;      ///< "done", "rest", "stationary", "cap", "stopped", "unstable", ...
+    std::string message;      ///< what went wrong, with term, cell and scene line; "" if nothing did
+    double wall_s = 0.0;      ///< of this process
+    Work work;
+    Totals totals{};          ///< of the last measurement
+    double time_s = 0.0;
+    int frames = 0;
+    std::uint64_t state_hash = 0;
+};
+
+/// Runs a scene: the single owner and writer of State. Lives in one thread; others see its snapshots.
+class Engine {
+  public:
+    /// Throws Error for what only the engine can know: fields without their part of the model, an unknown
+    /// method, given cells that do not fit.
+    Engine(const scene::Scene& scene, const EngineOptions& options,
+           const std::optional<GivenCells>& given = {});
+    ~Engine();
+
+    /// Goes on from a checkpoint. Before run().
+    void resume(const RunState& run);
+
+    [[nodiscard]] std::shared_ptr<const RunHeader> header() const { return header_; }
+    [[nodiscard]] const RunState& state() const { return run_; }
+
+    /// Runs to the end, or until `stop` becomes true (after the step in progress, with a checkpoint).
+    [[nodiscard]] RunResult run(const EngineSinks& sinks, const std::atomic<bool>& stop);
+
+  private:
+    enum class Next { go_on, stop };
+    [[nodiscard]] Next anneal(const scene::Stage& stage);
+    [[nodiscard]] Next advance(const scene::Stage& parameters);
+    [[nodiscard]] Totals measure();
+    [[nodiscard]] Next publish(const Totals& totals, double progress);
+    /// Reports progress, writes a checkpoint when one is due, obeys stop and the time limit.
+    [[nodiscard]] Next between_steps(double progress);
+    void finish_stage(StageEnd end);
+    void write_checkpoint();
+    [[nodiscard]] MeasureInput measure_input(const Configuration& at);
+
+    scene::Scene scene_;
+    EngineOptions options_;
+    std::shared_ptr<RunHeader> header_;
+    std::unique_ptr<System> system_;
+    std::unique_ptr<Method> method_;
+    std::vector<double> spring_nN_per_um_;  // [n_edges], for measures
+    std::vector<double> pressure_kPa_;      // [cells]
+    std::vector<Mat3> cell_stress_kPa_;     // [cells]
+    RunState run_;
+    RunResult result_;
+    const EngineSinks* sinks_ = nullptr;
+    const std::atomic<bool>* stop_ = nullptr;
+    double started_wall_s_ = 0.0, checkpointed_wall_s_ = 0.0;
+};
+
+}  // namespace spheroscope

@@ -1,0 +1,33 @@
+#include "engine/run/expectations.hpp"
+
+namespace spheroscope {
+namespace {
+
+const TotalsRow& row_of(const scene::Expect& expect) {
+    std::string known;
+    for (const TotalsRow& row : all_totals()) {
+        if (row.name == expect.measure) return row;
+        known += " " + std::string(row.name);
+    }
+    throw Error(expect.loc, "[expect]: there is no measure '" + expect.measure + "'",
+                "measures are:" + known);
+}
+
+}  // namespace
+
+void check_expectation_names(const scene::Scene& scene) {
+    for (const scene::Expect& expect : scene.expect) static_cast<void>(row_of(expect));
+}
+
+std::vector<Expectation> check_expectations(const scene::Scene& scene, const Snapshot& last) {
+    std::vector<Expectation> rows;
+    for (const scene::Expect& expect : scene.expect) {
+        const TotalsRow& row = row_of(expect);
+        const double value = value_of(row, last.totals);
+        rows.push_back({expect.measure, std::string(row.unit), value, expect.min, expect.max,
+                        value >= expect.min && value <= expect.max});
+    }
+    return rows;
+}
+
+}  // namespace spheroscope

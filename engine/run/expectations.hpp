@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/measures/totals.hpp"
+#include "engine/run/snapshot.hpp"
+#include "engine/scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace spheroscope {
+
+/// One row of [expect] against what came out.
+struct Expectation {
+    std::string measure;
+    std::string unit;
+    double value = 0.0;
+    double min = 0.0, max = 0.0;
+    bool met = false;  ///< an undefined value meets nothing
+};
+
+/// Measures are the rows of the table of totals. Throws Error for one that does not exist.
+[[nodiscard]] std::vector<Expectation> check_expectations(const scene::Scene& scene,
+                                                          const Snapshot& last);
+
+/// Throws like check_expectations, before anything has run.
+void check_expectation_names(const scene::Scene& scene);
+
+}  // namespace spheroscope

@@ -1,0 +1,66 @@
+#include "engine/stages/relaxation.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace spheroscope {
+namespace {
+
+constexpr double k_rest_speed_um_per_s = 1e-3;
+constexpr double k_virial_defect = 0.01;
+constexpr double k_window_s = 5.0;
+constexpr double k_change = 0.005;
+constexpr std::size_t k_row = 4;  // time, core sigma_h, Z, contact fraction
+
+/// Whether a number has moved by less than 0.5 % of itself; an undefined one does not move.
+bool is_steady(double before, double now) {
+    if (std::isnan(before) && std::isnan(now)) return true;
+    return std::abs(now - before) <= k_change * std::abs(now);
+}
+
+}  // namespace
+
+void Relaxation::begin(StageContext& context) const {
+    context.memory.samples.clear();
+    context.state.has_velocity = false;
+    context.state.next_dt_s = 0.0;
+}
+
+double Relaxation::latest_end_s(const StageContext& context) const {
+    return context.memory.start_s + (parameters_.until == scene::Until::duration
+                                         ? parameters_.duration_s
+                                         : parameters_.cap_s);
+}
+
+StageEnd Relaxation::after_step(StageContext& context) const {
+    if (context.state.time_s < latest_end_s(context)) return StageEnd::none;
+    return parameters_.until == scene::Until::duration ? StageEnd::done : StageEnd::cap;
+}
+
+StageEnd Relaxation::after_measure(StageContext& context, const Totals& totals) const {
+    if (parameters_.until == scene::Until::duration) return StageEnd::none;
+    std::vector<double>& samples = context.memory.samples;
+    const std::array<double, k_row> row{context.state.time_s, totals.sigma_h_core_kPa,
+                                        totals.coordination_Z, totals.contact_fraction};
+    samples.insert(samples.end(), row.begin(), row.end());
+    // Keep one row that is at least a window old.
+    while (samples.size() > 2 * k_row &&
+           samples[k_row] <= context.state.time_s - k_window_s * (1.0 - 1e-9))
+        samples.erase(samples.begin(), samples.begin() + k_row);
+    if (context.state.time_s - samples[0] < k_window_s * (1.0 - 1e-9)) return StageEnd::none;
+
+    for (std::size_t k = 1; k < k_row; ++k)
+        if (!is_steady(samples[k], row[k])) return StageEnd::none;
+    if (!std::isnan(totals.virial_defect) && !(totals.virial_defect < k_virial_defect))
+        return StageEnd::none;
+    if (totals.normal_speed_rms_um_per_s < k_rest_speed_um_per_s) return StageEnd::rest;
+    return parameters_.until == scene::Until::stationary ? StageEnd::stationary : StageEnd::none;
+}
+
+double Relaxation::progress(const StageContext& context) const {
+    if (parameters_.until == scene::Until::duration) return Stage::progress(context);
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace spheroscope
