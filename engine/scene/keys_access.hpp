@@ -9,14 +9,14 @@
 // and into the item of a list that is being read. For keys.cpp only.
 namespace spheroscope::scene {
 
-template <class T> struct is_optional : std::false_type {};
-template <class T> struct is_optional<std::optional<T>> : std::true_type {};
-template <class T> struct is_vector : std::false_type {};
-template <class T> struct is_vector<std::vector<T>> : std::true_type {};
+template <class T> struct IsOptional : std::false_type {};
+template <class T> struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T> struct IsVector : std::false_type {};
+template <class T> struct IsVector<std::vector<T>> : std::true_type {};
 
 /// The object behind an optional, made if it is not there yet.
 template <class T> auto& behind(T& object) {
-    if constexpr (is_optional<T>::value) {
+    if constexpr (IsOptional<T>::value) {
         if (!object) object.emplace();
         return *object;
     } else {
@@ -29,7 +29,7 @@ template <auto Member, auto... Rest, class Object> auto& follow(Object& object, 
     using Type = std::remove_reference_t<decltype(member)>;
     if constexpr (sizeof...(Rest) == 0) {
         return behind(member);
-    } else if constexpr (is_vector<Type>::value) {
+    } else if constexpr (IsVector<Type>::value) {
         return follow<Rest...>(member[item], item);
     } else {
         return follow<Rest...>(behind(member), item);
@@ -67,7 +67,7 @@ template <auto... Members> constexpr Access choose(std::span<const std::string_v
 /// Makes the part that the members lead to, or the next item of a list, and notes its place.
 template <auto... Members> void enter(Draft& draft, const Loc& loc, const std::string& /*name*/) {
     auto& part = from_draft<Members...>(draft, 0);
-    if constexpr (is_vector<std::remove_reference_t<decltype(part)>>::value)
+    if constexpr (IsVector<std::remove_reference_t<decltype(part)>>::value)
         part.emplace_back().loc = loc;
     else
         part.loc = loc;

@@ -29,14 +29,14 @@ enum class Arrangement { packing, single, pair, centres, file };
 struct Cells {
     Loc loc;
     Arrangement arrangement = Arrangement::packing;
-    int count = 0;                       ///< resolved for all but `file`, which says it itself: 0
-    int nodes = 162;                     ///< per cell: 42, 162, 642, 2562; `file`: must agree
+    int count = 0;    ///< resolved for all but `file`, which says it itself: 0
+    int nodes = 162;  ///< per cell: 42, 162, 642, 2562; `file`: must agree
     Radius radius;
-    double gap_um = 0.2;                 ///< pair: between the two spheres
+    double gap_um = 0.2;                            ///< pair: between the two spheres
     std::vector<std::array<double, 4>> centres_um;  ///< centres: rows of x, y, z, radius
-    std::string file;                    ///< file: HDF5 run whose frame is the start, relative to
-                                         ///< the scene
-    int frame = -1;                      ///< file: -1 is the last
+    std::string file;  ///< file: HDF5 run whose frame is the start, relative to
+                       ///< the scene
+    int frame = -1;    ///< file: -1 is the last
 };
 
 struct Elastic {  // eqn (8)
@@ -45,9 +45,9 @@ struct Elastic {  // eqn (8)
 };
 struct Bending {  // eqns (9), (10)
     Loc loc;
-    double E_kPa = 0.0;       ///< resolved: [cortex.bending] E, or that of [cortex.elastic]
+    double E_kPa = 0.0;  ///< resolved: [cortex.bending] E, or that of [cortex.elastic]
     double poisson = 1.0 / 3.0;
-    double factor = 1.0;      ///< k_bend = factor * E t^3 / 12(1 - nu^2); 2/sqrt(3) gives D_eff = D
+    double factor = 1.0;  ///< k_bend = factor * E t^3 / 12(1 - nu^2); 2/sqrt(3) gives D_eff = D
 };
 struct Tension {  // eqn (11)
     Loc loc;
@@ -60,7 +60,7 @@ struct Viscosity {  // eqns (15), (16)
 /// Strain limiter and fold stop for soft cells; not in the paper.
 struct Regularisation {
     Loc loc;
-    double kappa_nN_per_um = 0.0;   ///< resolved: given, or max(0, gamma/2 - E t)
+    double kappa_nN_per_um = 0.0;  ///< resolved: given, or max(0, gamma/2 - E t)
     double psi0 = 0.1;
     double fold_angle_rad = 1.5707963267948966;
 };
@@ -79,10 +79,10 @@ struct Cytosol {  // eqns (12), (13)
     Loc loc;
     VolumeController controller = VolumeController::pid;
     double K_kPa = 5.0;
-    double T_I_s = 0.0;       ///< pid: resolved, default c / 2 gamma (see 'Departures')
-    double T_d_s = 0.0;       ///< pid: resolved, default 10 T_I
-    double extra_pressure_kPa = 0.0;   ///< constant, on top of the offset pressure
-    double target_strain = 0.0;        ///< V* = (1 + this) * initial volume
+    double T_I_s = 0.0;               ///< pid: resolved, default c / 2 gamma (see 'Departures')
+    double T_d_s = 0.0;               ///< pid: resolved, default 10 T_I
+    double extra_pressure_kPa = 0.0;  ///< constant, on top of the offset pressure
+    double target_strain = 0.0;       ///< V* = (1 + this) * initial volume
 };
 
 struct Medium {  // eqn (14)
@@ -96,14 +96,14 @@ enum class OmegaReading { printed, text, two_sided, per_cell, work_of_adhesion }
 struct Contact {  // eqns (5)-(7)
     Loc loc;
     ContactLaw law = ContactLaw::traction;
-    double reject_cos = 0.0;           ///< a pair is skipped when n_A . n_B >= this
+    double reject_cos = 0.0;  ///< a pair is skipped when n_A . n_B >= this
     double h0_um = 0.3;
     OmegaReading omega_reading = OmegaReading::text;
-    double omega_nN_per_um = 0.0;      ///< as given; 0 with reading work_of_adhesion
-    double W_nN_per_um = 0.0;          ///< resolved work of adhesion
-    double equilibrium_overlap_h0 = 2; ///< delta_eq / h0: 1 or 2
-    bool adhesive = true;              ///< false: without [contact.adhesion]; then only repulsion
-    double repulsion_k_kPa_per_um = 0; ///< without adhesion: stiffness per area
+    double omega_nN_per_um = 0.0;       ///< as given; 0 with reading work_of_adhesion
+    double W_nN_per_um = 0.0;           ///< resolved work of adhesion
+    double equilibrium_overlap_h0 = 2;  ///< delta_eq / h0: 1 or 2
+    bool adhesive = true;               ///< false: without [contact.adhesion]; then only repulsion
+    double repulsion_k_kPa_per_um = 0;  ///< without adhesion: stiffness per area
     std::optional<double> friction_normal_kPa_s_per_um;  ///< [contact.friction], eqns (17), (18)
     std::optional<double> friction_tangential_kPa_s_per_um;
     Loc friction_loc;
@@ -113,17 +113,17 @@ struct Contact {  // eqns (5)-(7)
 struct BodyForce {
     Loc loc;
     std::array<double, 3> force_nN{};
-    bool opposed = false;              ///< cell 0 gets +force, cell 1 gets -force
+    bool opposed = false;  ///< cell 0 gets +force, cell 1 gets -force
 };
 
 struct Method {
     Loc loc;
     std::string name = "linearly_implicit";  ///< a row of the methods table
-    double dt_s = 0.0;                 ///< forward_euler: the step; linearly_implicit: the first
-                                       ///< one; resolved, default the paper's zeta / 30, or 1 ms
+    double dt_s = 0.0;  ///< forward_euler: the step; linearly_implicit: the first
+                        ///< one; resolved, default the paper's zeta / 30, or 1 ms
     double dt_max_s = 1.0;
     double dt_min_s = 1e-6;
-    double tolerance_um = 0.006;       ///< local error per step; 0: fixed steps of dt
+    double tolerance_um = 0.006;         ///< local error per step; 0: fixed steps of dt
     double displacement_bound_h0 = 0.5;  ///< largest node displacement per step over h0 (contacts)
     double linear_tolerance = 1e-3;
 };
@@ -134,39 +134,39 @@ enum class Until { duration, rest, stationary };
 struct Stage {
     Loc loc;
     StageKind kind = StageKind::relax;
-    double duration_s = 0.0;           ///< all but anneal; for `relax` with until = rest: unused
-    Until until = Until::duration;     ///< relax
-    double cap_s = 120.0;              ///< relax until rest/stationary: longest time
-    double every_s = 0.0;              ///< output interval, model time; 0: only at its end
+    double duration_s = 0.0;        ///< all but anneal; for `relax` with until = rest: unused
+    Until until = Until::duration;  ///< relax
+    double cap_s = 120.0;           ///< relax until rest/stationary: longest time
+    double every_s = 0.0;           ///< output interval, model time; 0: only at its end
     // anneal
     int steps = 20000;
     double packing_fraction = 0.60;
-    int frames = 0;                    ///< anneal: frames spread over its steps (0: none)
+    int frames = 0;  ///< anneal: frames spread over its steps (0: none)
     // compact
-    double volume_fraction = 0.97;     ///< stops here at the latest
-    double contact_rate_per_s = 0.005; ///< or when the contact fraction rises slower
-    double wall_stiffness = 10.0;      ///< over the contact stiffness k
+    double volume_fraction = 0.97;      ///< stops here at the latest
+    double contact_rate_per_s = 0.005;  ///< or when the contact fraction rises slower
+    double wall_stiffness = 10.0;       ///< over the contact stiffness k
 };
 
 struct Measures {
     Loc loc;
-    std::vector<std::string> fields;   ///< rows of the table of fields, evaluated at output times;
-                                       ///< resolved: with those that pictures show
-    double touching_area_um2 = 0.1;    ///< a pair of cells touches above this contact area
+    std::vector<std::string> fields;  ///< rows of the table of fields, evaluated at output times;
+                                      ///< resolved: with those that pictures show
+    double touching_area_um2 = 0.1;   ///< a pair of cells touches above this contact area
 };
 
 /// One view of the spheroid; the first one is what `movie` shows.
 struct Picture {
     Loc loc;
     std::string name = "main";
-    std::string field;                 ///< empty: plain cells
+    std::string field;  ///< empty: plain cells
     std::array<int, 2> size_px{1280, 720};
-    std::string range = "run";         ///< "run", "frame" or "given"
+    std::string range = "run";                    ///< "run", "frame" or "given"
     std::array<double, 2> given_range{0.0, 0.0};  ///< in the field's shown unit
-    bool cutaway = false;              ///< leave out whole cells on the near side
-    bool network = false;              ///< draw the contact-force network
+    bool cutaway = false;                         ///< leave out whole cells on the near side
+    bool network = false;                         ///< draw the contact-force network
     double azimuth_deg = 30.0, elevation_deg = 20.0;
-    double orbit_deg = 0.0;            ///< turned over the whole movie
+    double orbit_deg = 0.0;  ///< turned over the whole movie
     double fps = 30.0;
 };
 
@@ -179,10 +179,10 @@ struct Expect {
 };
 
 struct Scene {
-    std::string file;                  ///< as opened
+    std::string file;  ///< as opened
     std::string title;
     std::uint64_t seed = 1;
-    bool allow_full_wetting = false;   ///< W > 2 gamma is an error without it
+    bool allow_full_wetting = false;  ///< W > 2 gamma is an error without it
     Cells cells;
     Cortex cortex;
     std::optional<Cytosol> cytosol;
@@ -194,8 +194,8 @@ struct Scene {
     Measures measures;
     std::vector<Picture> pictures;
     std::vector<Expect> expect;
-    std::vector<std::string> warnings; ///< e.g. W = 2 gamma, with its place; to be shown once
-    std::string resolved_toml;         ///< canonical text of everything above that applies
+    std::vector<std::string> warnings;  ///< e.g. W = 2 gamma, with its place; to be shown once
+    std::string resolved_toml;          ///< canonical text of everything above that applies
 };
 
 /// Command-line overrides: "contact.adhesion.omega=0.5 nN/um", "cells.nodes=642",

@@ -11,6 +11,7 @@ namespace spheroscope::scene {
 namespace {
 
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
+template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
 std::string with_article(const std::string& noun) {
     const bool vowel = std::string_view("aeiou").find(noun[0]) != std::string_view::npos;
@@ -140,8 +141,8 @@ std::string quoted_list(std::span<const std::string_view> words) {
 
 std::string describe_type(const Key& key) {
     const std::string_view unit = engine_unit(key.dimension);
-    const std::string quantity = fmt::format("{}{}", dimension_name(key.dimension),
-                                             unit.empty() ? "" : fmt::format(" ({})", unit));
+    std::string quantity = fmt::format("{}{}", dimension_name(key.dimension),
+                                       unit.empty() ? "" : fmt::format(" ({})", unit));
     return std::visit(
         Overloaded{
             [&](Reach<double>) { return quantity; },
