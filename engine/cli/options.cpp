@@ -26,7 +26,8 @@ void add_common_option(CLI::App& command, CommonOptions& options, CommonOption w
     case CommonOption::seed:
         command
             .add_option("--seed", options.seed, "seed of the random numbers, before the scene's")
-            ->type_name("N");
+            ->type_name("N")
+            ->check(CLI::NonNegativeNumber);
         return;
     case CommonOption::set:
         command
