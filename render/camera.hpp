@@ -5,7 +5,8 @@
 namespace spheroscope::render {
 
 /// A parallel (orthographic) view: everything in the picture has one scale, so a scale bar is true
-/// everywhere. Pixel coordinates run right and down; (0, 0) is the upper left corner of the picture.
+/// everywhere. Pixel coordinates run right and down; (0, 0) is the upper left corner of the
+/// picture.
 struct Camera {
     Vec3 focal_um = Vec3::Zero();  ///< shown at (centre_x_px, centre_y_px)
     Vec3 towards_eye{1.0, 0.0, 0.0}, up{0.0, 0.0, 1.0}, right{0.0, 1.0, 0.0};  ///< orthonormal
@@ -19,7 +20,8 @@ struct Camera {
     [[nodiscard]] Pixel project(const Vec3& x_um) const;
 };
 
-/// A camera that looks at a point. azimuth turns about the z axis, elevation lifts above the xy plane;
+/// A camera that looks at a point. azimuth turns about the z axis, elevation lifts above the xy
+/// plane;
 /// +-90 degrees look straight down or up.
 [[nodiscard]] Camera make_camera(const Vec3& focal_um, double azimuth_deg, double elevation_deg);
 

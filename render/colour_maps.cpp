@@ -50,8 +50,9 @@ std::array<Rgb, ColourMap::k_size> equal_steps(const std::function<Oklab(double)
     return table;
 }
 
-/// One arm of the diverging map: from near white to a strong dark colour. The chroma follows closely
-/// what sRGB can show at that lightness and hue: rising first, falling a little towards the dark end.
+/// One arm of the diverging map: from near white to a strong dark colour. The chroma follows
+/// closely what sRGB can show at that lightness and hue: rising first, falling a little towards the
+/// dark end.
 Oklab arm(double strength, double hue_deg, double chroma) {
     const double lightness = 0.965 - 0.525 * strength;
     return polar(lightness, chroma * std::sin(0.68 * std::numbers::pi * strength), hue_deg);

@@ -14,8 +14,8 @@ class ColourMap {
   public:
     static constexpr int k_size = 257;  ///< odd: the middle of the diverging map is an entry
 
-    /// Blue - near white - red, lightness falling equally to both sides: red and blue stay apart for
-    /// every common colour blindness, and the amount can be read from the lightness alone.
+    /// Blue - near white - red, lightness falling equally to both sides: red and blue stay apart
+    /// for every common colour blindness, and the amount can be read from the lightness alone.
     [[nodiscard]] static const ColourMap& diverging();
     /// Dark violet - blue - green - yellow, lightness rising steadily.
     [[nodiscard]] static const ColourMap& sequential();

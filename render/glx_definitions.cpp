@@ -1,6 +1,6 @@
-// Debian's VTK finds OpenGL through a GLEW that was built for GLX. In a program without X the three GLX
-// functions that GLEW calls must lead to OSMesa; the dynamic linker takes the executable's definition
-// before any library's, so this file is compiled into every executable that draws
+// Debian's VTK finds OpenGL through a GLEW that was built for GLX. In a program without X the three
+// GLX functions that GLEW calls must lead to OSMesa; the dynamic linker takes the executable's
+// definition before any library's, so this file is compiled into every executable that draws
 // (spheroscope_use_render in render/CMakeLists.txt), never into a library.
 //
 // Programs that open a window beside it (GLFW) load GLX with dlopen and are not reached by these.
@@ -27,9 +27,7 @@ GlFunction glXGetProcAddressARB(const unsigned char* name) {
     return OSMesaGetProcAddress(wanted);
 }
 
-GlFunction glXGetProcAddress(const unsigned char* name) {
-    return glXGetProcAddressARB(name);
-}
+GlFunction glXGetProcAddress(const unsigned char* name) { return glXGetProcAddressARB(name); }
 
 // GLEW asks for the version of GLX after it has found all of OpenGL; 1.4 is what it was built for.
 int glXQueryVersion(void* /*display*/, int* major, int* minor) {
@@ -38,9 +36,7 @@ int glXQueryVersion(void* /*display*/, int* major, int* minor) {
     return 1;
 }
 
-const char* glXGetClientString(void* /*display*/, int /*name*/) {
-    return "";
-}
+const char* glXGetClientString(void* /*display*/, int /*name*/) { return ""; }
 
 // There is no display, but GLEW takes a null pointer for a failure; nobody looks behind this one.
 void* glXGetCurrentDisplay() {

@@ -75,7 +75,8 @@ ImageDifference compare_images(const Image& reference, const Image& other, int t
             result.max_difference = std::max(result.max_difference, here);
             if (here <= threshold) continue;
             ++n_over;
-            if (std::max(nearest_around(a, other, x, y), nearest_around(b, reference, x, y)) > threshold)
+            if (std::max(nearest_around(a, other, x, y), nearest_around(b, reference, x, y)) >
+                threshold)
                 ++n_over_shifted;
         }
     const double n_pixels = static_cast<double>(reference.rgb.size()) / 3.0;
@@ -87,8 +88,9 @@ ImageDifference compare_images(const Image& reference, const Image& other, int t
     int n_blocks = 0;
     for (int y = 0; y < reference.height; y += side)
         for (int x = 0; x < reference.width; x += side, ++n_blocks)
-            similarity += block_similarity(reference, other, x, y, std::min(x + side, reference.width),
-                                           std::min(y + side, reference.height));
+            similarity +=
+                block_similarity(reference, other, x, y, std::min(x + side, reference.width),
+                                 std::min(y + side, reference.height));
     result.similarity = similarity / n_blocks;
     return result;
 }

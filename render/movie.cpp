@@ -27,7 +27,8 @@ fs::path picture_path(const fs::path& folder, int frame) {
     return folder / fmt::format("{:06d}.png", frame);
 }
 
-/// Removes pictures after the last frame (of an earlier, longer run) and unfinished ones; all else stays.
+/// Removes pictures after the last frame (of an earlier, longer run) and unfinished ones; all else
+/// stays.
 void remove_left_overs(const fs::path& folder, int n_frames) {
     std::vector<fs::path> unwanted;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -69,7 +70,8 @@ std::vector<double> smooth(const std::vector<double>& values, int half) {
     return result;
 }
 
-/// Decimals that tell neighbouring frames apart: 1 down to a tenth of a second between them, 2 to a hundredth.
+/// Decimals that tell neighbouring frames apart: 1 down to a tenth of a second between them, 2 to a
+/// hundredth.
 int decimals_for(double smallest_interval_s) {
     if (!std::isfinite(smallest_interval_s)) return 1;
     return std::clamp(static_cast<int>(std::ceil(-std::log10(smallest_interval_s) - 1e-9)), 1, 4);
@@ -98,8 +100,8 @@ std::vector<double> fit_radii(std::span<const double> extent_um, double fps) {
     if (*largest <= 1.2 * *smallest) return std::vector<double>(extent_um.size(), *largest);
     const int n = static_cast<int>(extent_um.size());
     const int half = std::max(2, static_cast<int>(std::lround(fps)));
-    // The largest extent within `half` frames, then two averages that reach `half` frames together: every
-    // term of them has seen this frame's extent, so the result is nowhere below it.
+    // The largest extent within `half` frames, then two averages that reach `half` frames together:
+    // every term of them has seen this frame's extent, so the result is nowhere below it.
     std::vector<double> envelope(extent_um.size());
     for (int i = 0; i < n; ++i) {
         const int first = std::max(0, i - half), last = std::min(n - 1, i + half);
@@ -150,8 +152,8 @@ MovieResult make_movie(FrameSource& frames, const MovieSettings& settings) {
     MovieResult result;
     result.n_frames = frames.n_frames();
     result.range = survey.range;
-    result.share_outside = picture.range == "frame" ? 2.0 * RangeFinder::k_share_beyond
-                                                    : survey.share_outside;
+    result.share_outside =
+        picture.range == "frame" ? 2.0 * RangeFinder::k_share_beyond : survey.share_outside;
 
     const SnapshotPtr first = frames.frame(0);
     std::error_code error;
@@ -159,10 +161,12 @@ MovieResult make_movie(FrameSource& frames, const MovieSettings& settings) {
     if (!error && settings.movie_path.has_parent_path())
         fs::create_directories(settings.movie_path.parent_path(), error);
     if (error)
-        throw Error("the folder " + settings.frames_folder.string() + " cannot be made: " + error.message());
+        throw Error("the folder " + settings.frames_folder.string() +
+                    " cannot be made: " + error.message());
     remove_left_overs(settings.frames_folder, result.n_frames);
 
-    // Made when the first picture has to be drawn: a movie that is only put together needs no OpenGL.
+    // Made when the first picture has to be drawn: a movie that is only put together needs no
+    // OpenGL.
     std::unique_ptr<Renderer> renderer;
     MovieOrReason movie;
     movie.attempt([&] {

@@ -17,25 +17,26 @@ struct MovieSettings {
     std::filesystem::path frames_folder;  ///< 000000.png, 000001.png ...; made if it is not there
     std::filesystem::path movie_path;     ///< the MP4
     std::string drawn_by;                 ///< version of this program, for the files' texts
-    std::function<void(int n_done, int n_frames)> on_progress;  ///< after each picture; may be empty
+    std::function<void(int n_done, int n_frames)>
+        on_progress;                       ///< after each picture; may be empty
     std::function<bool()> stop_requested;  ///< asked before each picture; may be empty
 };
 
 struct MovieResult {
     int n_frames = 0;
-    int n_drawn = 0;          ///< the others were there already, with the same fingerprint
-    bool stopped = false;     ///< on request: the pictures so far are there, the movie is not
-    Range range;              ///< of the whole movie; of nothing with range = "frame"
-    double share_outside = 0; ///< at most this share of all coloured values lies outside the range
+    int n_drawn = 0;           ///< the others were there already, with the same fingerprint
+    bool stopped = false;      ///< on request: the pictures so far are there, the movie is not
+    Range range;               ///< of the whole movie; of nothing with range = "frame"
+    double share_outside = 0;  ///< at most this share of all coloured values lies outside the range
 };
 
-/// Makes the pictures of all frames and the movie of them, with one colour range and one scale, which a
-/// first pass over the frames finds. Pictures that are there already with the same fingerprint are kept; all
-/// others in the folder with names like 000000.png are replaced or removed, so that the folder never
-/// holds pictures of two settings.
-/// Draws on the calling thread; files and ffmpeg have threads of their own.
-/// Throws Error: what Renderer, write_png and MovieWriter throw; no frames (usage). Without ffmpeg all
-/// pictures are made first, then the error (environment) is thrown.
+/// Makes the pictures of all frames and the movie of them, with one colour range and one scale,
+/// which a first pass over the frames finds. Pictures that are there already with the same
+/// fingerprint are kept; all others in the folder with names like 000000.png are replaced or
+/// removed, so that the folder never holds pictures of two settings. Draws on the calling thread;
+/// files and ffmpeg have threads of their own. Throws Error: what Renderer, write_png and
+/// MovieWriter throw; no frames (usage). Without ffmpeg all pictures are made first, then the error
+/// (environment) is thrown.
 MovieResult make_movie(FrameSource& frames, const MovieSettings& settings);
 
 /// What the first pass finds.
@@ -47,9 +48,9 @@ struct Survey {
 };
 [[nodiscard]] Survey survey_frames(FrameSource& frames, const scene::Picture& picture);
 
-/// The radius that each frame is scaled to, from the extents of all frames. Constant (the largest) while
-/// the extents differ by less than a fifth; else it follows them smoothly over about two seconds, never
-/// below the extent, so that nothing leaves the picture and nothing becomes tiny.
+/// The radius that each frame is scaled to, from the extents of all frames. Constant (the largest)
+/// while the extents differ by less than a fifth; else it follows them smoothly over about two
+/// seconds, never below the extent, so that nothing leaves the picture and nothing becomes tiny.
 [[nodiscard]] std::vector<double> fit_radii(std::span<const double> extent_um, double fps);
 
 }  // namespace spheroscope::render

@@ -1,5 +1,5 @@
-// Why a socket and not a pipe: writing to a pipe whose reader has died raises SIGPIPE for the whole process,
-// while `send` can be told not to.
+// Why a socket and not a pipe: writing to a pipe whose reader has died raises SIGPIPE for the whole
+// process, while `send` can be told not to.
 
 #include "render/movie_writer.hpp"
 
@@ -30,9 +30,10 @@ namespace spheroscope::render {
 namespace {
 
 Error no_movie(const std::string& what) {
-    return Error("no movie: " + what,
-                 "the pictures (PNG) that are done stay; install ffmpeg with libx264 (Debian: ffmpeg)",
-                 ExitCode::environment);
+    return Error(
+        "no movie: " + what,
+        "the pictures (PNG) that are done stay; install ffmpeg with libx264 (Debian: ffmpeg)",
+        ExitCode::environment);
 }
 
 /// A file descriptor that is closed at the end of its life.
@@ -93,15 +94,16 @@ Encoder::Encoder(const std::vector<std::string>& arguments)
     posix_spawnattr_setpgroup(&attributes, 0);
 
     std::vector<char*> argv;
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    for (const std::string& argument : arguments)
+        argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
-    const int error =
-        posix_spawnp(&process_, argv[0], &actions, &attributes, argv.data(), environ);
+    const int error = posix_spawnp(&process_, argv[0], &actions, &attributes, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
     if (error != 0) {
         process_ = -1;
-        throw no_movie("the program ffmpeg cannot be started: " + std::string(std::strerror(error)));
+        throw no_movie("the program ffmpeg cannot be started: " +
+                       std::string(std::strerror(error)));
     }
 }
 
@@ -145,18 +147,16 @@ std::string Encoder::complaint() const {
 
 std::vector<std::string> ffmpeg_arguments(const MovieWriter::Settings& s,
                                           const std::filesystem::path& output) {
-    return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
-            "-f", "rawvideo", "-pix_fmt", "rgb24",
-            "-video_size", fmt::format("{}x{}", s.width_px, s.height_px),
-            "-framerate", fmt::format("{:g}", s.fps), "-i", "pipe:0", "-an",
-            // the colours of the bar must survive: say which matrix was used, and use that of HD video
-            "-vf", "scale=out_color_matrix=bt709:out_range=tv",
-            "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709",
-            "-color_range", "tv",
-            "-c:v", "libx264", "-preset", "veryfast", "-crf", "17", "-pix_fmt", "yuv420p",
-            "-movflags", "+faststart",
-            "-metadata", "title=" + s.title, "-metadata", "comment=" + s.comment,
-            "-f", "mp4", output.string()};
+    return {
+        "ffmpeg", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24",
+        "-video_size", fmt::format("{}x{}", s.width_px, s.height_px), "-framerate",
+        fmt::format("{:g}", s.fps), "-i", "pipe:0", "-an",
+        // the colours of the bar must survive: say which matrix was used, and use that of HD video
+        "-vf", "scale=out_color_matrix=bt709:out_range=tv", "-colorspace", "bt709",
+        "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv", "-c:v", "libx264",
+        "-preset", "veryfast", "-crf", "17", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
+        "-metadata", "title=" + s.title, "-metadata", "comment=" + s.comment, "-f", "mp4",
+        output.string()};
 }
 
 std::filesystem::path partial_path(const std::filesystem::path& path) {
@@ -169,8 +169,9 @@ std::filesystem::path partial_path(const std::filesystem::path& path) {
 
 void check_movie_size(int width_px, int height_px) {
     if (width_px % 2 != 0 || height_px % 2 != 0)
-        throw Error(fmt::format("a movie wants even numbers of pixels, got {} x {}", width_px, height_px),
-                    "MP4 stores colours for blocks of 2 x 2 pixels (yuv420p)");
+        throw Error(
+            fmt::format("a movie wants even numbers of pixels, got {} x {}", width_px, height_px),
+            "MP4 stores colours for blocks of 2 x 2 pixels (yuv420p)");
 }
 
 struct MovieWriter::Hidden {

@@ -8,9 +8,9 @@
 
 namespace spheroscope::render {
 
-/// Encodes pictures into an MP4 (H.264) with the ffmpeg program, raw frames through a socket. A thread
-/// inside feeds ffmpeg, so that drawing goes on meanwhile. The file is complete or absent: it is
-/// written under a temporary name and renamed by `finish`.
+/// Encodes pictures into an MP4 (H.264) with the ffmpeg program, raw frames through a socket. A
+/// thread inside feeds ffmpeg, so that drawing goes on meanwhile. The file is complete or absent:
+/// it is written under a temporary name and renamed by `finish`.
 class MovieWriter {
   public:
     struct Settings {
@@ -27,8 +27,8 @@ class MovieWriter {
     MovieWriter(const MovieWriter&) = delete;
     MovieWriter& operator=(const MovieWriter&) = delete;
 
-    /// Waits while k_queue pictures are still to be encoded. Throws Error (environment) with ffmpeg's own
-    /// words when ffmpeg has died. Precondition: the size of the settings.
+    /// Waits while k_queue pictures are still to be encoded. Throws Error (environment) with
+    /// ffmpeg's own words when ffmpeg has died. Precondition: the size of the settings.
     void add(Image image);
     /// Waits for ffmpeg and gives the movie its name. Throws like add.
     void finish();

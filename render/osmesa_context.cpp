@@ -1,9 +1,10 @@
 // OSMesa has left newer Mesa; when EGL replaces it, this file and glx_definitions.cpp change.
 //
-// Debian's VTK has X11 windows and 'generic' ones that live in somebody else's context. A generic window in
-// an OSMesa context works when (a) libOSMesa is the first library that defines OpenGL's functions, (b) the
-// executable leads GLEW to OSMesa (glx_definitions.cpp). A program that lacks (a) draws one colour and
-// says nothing: hence the probe. vtkRenderWindow::New() must not be called: it makes an X11 window.
+// Debian's VTK has X11 windows and 'generic' ones that live in somebody else's context. A generic
+// window in an OSMesa context works when (a) libOSMesa is the first library that defines OpenGL's
+// functions, (b) the executable leads GLEW to OSMesa (glx_definitions.cpp). A program that lacks
+// (a) draws one colour and says nothing: hence the probe. vtkRenderWindow::New() must not be
+// called: it makes an X11 window.
 
 #include "render/osmesa_context.hpp"
 
@@ -11,7 +12,6 @@
 
 #include <GL/osmesa.h>
 #include <dlfcn.h>
-
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
@@ -41,7 +41,8 @@ Error no_opengl(const std::string& what) {
                  ExitCode::environment);
 }
 
-/// A program that was linked without spheroscope_use_render (render/CMakeLists.txt) would crash inside VTK.
+/// A program that was linked without spheroscope_use_render (render/CMakeLists.txt) would crash
+/// inside VTK.
 void check_that_opengl_is_mesa() {
     using Resolve = OSMESAproc (*)(const char*);
     const auto resolve = reinterpret_cast<Resolve>(dlsym(RTLD_DEFAULT, "glXGetProcAddressARB"));
@@ -58,13 +59,21 @@ class MesaContext {
   public:
     MesaContext() {
         check_that_opengl_is_mesa();
-        constexpr std::array<int, 15> attributes{OSMESA_FORMAT, OSMESA_RGBA,
-                                                 OSMESA_DEPTH_BITS, 24,
-                                                 OSMESA_STENCIL_BITS, 8,
-                                                 OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                                 OSMESA_CONTEXT_MAJOR_VERSION, 3,
-                                                 OSMESA_CONTEXT_MINOR_VERSION, 2,
-                                                 0, 0, 0};
+        constexpr std::array<int, 15> attributes{OSMESA_FORMAT,
+                                                 OSMESA_RGBA,
+                                                 OSMESA_DEPTH_BITS,
+                                                 24,
+                                                 OSMESA_STENCIL_BITS,
+                                                 8,
+                                                 OSMESA_PROFILE,
+                                                 OSMESA_CORE_PROFILE,
+                                                 OSMESA_CONTEXT_MAJOR_VERSION,
+                                                 3,
+                                                 OSMESA_CONTEXT_MINOR_VERSION,
+                                                 2,
+                                                 0,
+                                                 0,
+                                                 0};
         context_ = OSMesaCreateContextAttribs(attributes.data(), nullptr);
         if (context_ == nullptr) throw no_opengl("OSMesa gives no OpenGL 3.2 context");
         make_current();
@@ -76,7 +85,8 @@ class MesaContext {
     void make_current() {
         if (OSMesaGetCurrentContext() == context_) return;
         // VTK draws into its own framebuffer; this one is never shown and can be tiny.
-        if (OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, k_side, k_side) != GL_TRUE) {
+        if (OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, k_side, k_side) !=
+            GL_TRUE) {
             OSMesaDestroyContext(context_);
             throw no_opengl("the OSMesa context cannot be made current");
         }
@@ -116,9 +126,10 @@ OsmesaContext::OsmesaContext(int width_px, int height_px) : hidden_(std::make_un
     h.window->AddRenderer(h.renderer);
     h.renderer->SetBackground(1.0, 1.0, 1.0);
     h.renderer->AutomaticLightCreationOff();
-    // A lamp fixed to the eye, a little up and to the left: the eye takes light from there for granted.
+    // A lamp fixed to the eye, a little up and to the left: the eye takes light from there for
+    // granted.
     h.light->SetLightTypeToCameraLight();
-    h.light->SetPosition(-0.20, 0.28, 1.0);
+    h.light->SetPosition(-0.12, 0.18, 1.0);
     h.light->SetFocalPoint(0.0, 0.0, 0.0);
     h.light->PositionalOff();
     h.renderer->AddLight(h.light);
@@ -132,14 +143,14 @@ OsmesaContext::~OsmesaContext() {
     hidden_->window->Finalize();
 }
 
-void OsmesaContext::draw(vtkActor* actor, const Camera& camera, double reach_um,
-                         Buffers& buffers) {
+void OsmesaContext::draw(vtkActor* actor, const Camera& camera, double reach_um, Buffers& buffers) {
     Hidden& h = *hidden_;
     SPHEROSCOPE_ASSERT(h.thread == std::this_thread::get_id(),
                        "an OSMesa context is used by the thread that made it");
     h.mesa.make_current();
 
-    // The camera's focal point may lie off the middle of the picture; VTK's is always in the middle.
+    // The camera's focal point may lie off the middle of the picture; VTK's is always in the
+    // middle.
     const Vec3 middle = camera.focal_um +
                         camera.right * ((0.5 * h.width - camera.centre_x_px) / camera.px_per_um) +
                         camera.up * ((camera.centre_y_px - 0.5 * h.height) / camera.px_per_um);
@@ -200,8 +211,9 @@ void OsmesaContext::probe() {
 
     const int row = h.height / 2;
     const auto pixel = [&](int column) {
-        const std::size_t i = 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(h.width) +
-                                   static_cast<std::size_t>(column));
+        const std::size_t i =
+            3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(h.width) +
+                 static_cast<std::size_t>(column));
         return std::array<int, 3>{seen.rgb[i], seen.rgb[i + 1], seen.rgb[i + 2]};
     };
     const int reach = std::max(1, std::min(h.width, h.height) / 4);

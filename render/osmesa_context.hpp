@@ -30,8 +30,8 @@ class OsmesaContext {
     OsmesaContext(const OsmesaContext&) = delete;
     OsmesaContext& operator=(const OsmesaContext&) = delete;
 
-    /// Draws one actor on white. `camera` is in pixels of this context; everything within reach_um of its
-    /// focal point is inside the depth range.
+    /// Draws one actor on white. `camera` is in pixels of this context; everything within reach_um
+    /// of its focal point is inside the depth range.
     void draw(vtkActor* actor, const Camera& camera, double reach_um, Buffers& buffers);
 
   private:

@@ -19,8 +19,8 @@ namespace spheroscope::render {
 
 namespace {
 
-constexpr int k_n_samples = 2;            // drawn pixels along each side of a final one
-constexpr double k_filled_share = 0.87;   // of the picture's height by the aggregate's extent
+constexpr int k_n_samples = 2;           // drawn pixels along each side of a final one
+constexpr double k_filled_share = 0.87;  // of the picture's height by the aggregate's extent
 constexpr int k_smallest_side = 64, k_largest_side = 4096;
 
 Vec3 point(const std::vector<float>& values, std::size_t i) {
@@ -33,12 +33,12 @@ void check_picture(const scene::Picture& picture) {
         if (side < k_smallest_side || side > k_largest_side)
             throw Error(picture.loc,
                         fmt::format("picture '{}' wants sides of {} to {} pixels, got {} x {}",
-                                    picture.name, k_smallest_side, k_largest_side, picture.size_px[0],
-                                    picture.size_px[1]));
+                                    picture.name, k_smallest_side, k_largest_side,
+                                    picture.size_px[0], picture.size_px[1]));
     if (picture.range == "given" && !(picture.given_range[0] < picture.given_range[1]))
-        throw Error(picture.loc, fmt::format("picture '{}' wants a range from low to high, got {} to {}",
-                                             picture.name, picture.given_range[0],
-                                             picture.given_range[1]));
+        throw Error(picture.loc,
+                    fmt::format("picture '{}' wants a range from low to high, got {} to {}",
+                                picture.name, picture.given_range[0], picture.given_range[1]));
 }
 
 std::string status_text(const Snapshot& snapshot, int time_decimals) {
@@ -60,9 +60,7 @@ std::vector<std::string> notes(const Totals& totals) {
 
 }  // namespace
 
-bool shows_field(const Snapshot& snapshot) {
-    return snapshot.stage_name != "anneal";
-}
+bool shows_field(const Snapshot& snapshot) { return snapshot.stage_name != "anneal"; }
 
 Vec3 aggregate_centre_um(const Snapshot& snapshot) {
     Vec3 sum = Vec3::Zero();
@@ -112,14 +110,16 @@ struct Renderer::Hidden {
           field(field_index < 0 ? nullptr : header->fields[static_cast<std::size_t>(field_index)]),
           context(k_n_samples * picture.size_px[0], k_n_samples * picture.size_px[1]) {
         if (picture.network) {
-            const double sum = std::accumulate(header->radius_um.begin(), header->radius_um.end(), 0.0);
+            const double sum =
+                std::accumulate(header->radius_um.begin(), header->radius_um.end(), 0.0);
             network = std::make_unique<ForceNetwork>(sum / header->n_cells);
         }
     }
 
-    /// Cells that are drawn: all, or with the cutaway those whose centre is not on the near side of the
-    /// plane that faces the eye in the middle of the aggregate.
-    [[nodiscard]] std::vector<int> drawn_cells(const Snapshot& snapshot, const Camera& camera) const {
+    /// Cells that are drawn: all, or with the cutaway those whose centre is not on the near side of
+    /// the plane that faces the eye in the middle of the aggregate.
+    [[nodiscard]] std::vector<int> drawn_cells(const Snapshot& snapshot,
+                                               const Camera& camera) const {
         std::vector<int> cells;
         for (int c = 0; c < header->n_cells; ++c) {
             const Vec3 centre = point(snapshot.centre_um, static_cast<std::size_t>(c));
@@ -138,7 +138,8 @@ struct Renderer::Hidden {
     }
 
     /// Colours the drawn cells; plain tints where no field is shown.
-    void colour_cells(const Snapshot& snapshot, const std::vector<int>& cells, Furniture& furniture);
+    void colour_cells(const Snapshot& snapshot, const std::vector<int>& cells,
+                      Furniture& furniture);
     void draw_network(const Snapshot& snapshot, const Camera& camera, double reach_um,
                       Furniture& furniture);
 };
@@ -164,7 +165,8 @@ void Renderer::Hidden::draw_network(const Snapshot& snapshot, const Camera& came
                                     Furniture& furniture) {
     furniture.network = network->update(snapshot);
     context.draw(network->actor(), camera, reach_um, network_drawn);
-    // With the near half taken away the network stands free in it, and the hidden rest is a hint only.
+    // With the near half taken away the network stands free in it, and the hidden rest is a hint
+    // only.
     add_network(cells_drawn, network_drawn, picture.cutaway ? 0.25 : 0.65);
 }
 
@@ -189,18 +191,23 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
     Furniture furniture;
     furniture.title = h.header->title.empty() ? h.header->scene_name : h.header->title;
     furniture.status = status_text(snapshot, view.time_decimals);
-    furniture.notes = notes(snapshot.totals);
     furniture.footer = h.header->scene_name;
     furniture.px_per_um = final_camera.px_per_um;
-    furniture.field = h.field;
+    // A bar or a network beside cells that show neither would be read into them.
+    const bool has_mechanics = shows_field(snapshot);
+    const bool draws_network = has_mechanics && h.network != nullptr;
+    if (has_mechanics) {
+        furniture.notes = notes(snapshot.totals);
+        furniture.field = h.field;
+    }
     furniture.range = h.choose_range(snapshot, view);
     furniture.range_is_of_this_frame =
         h.field != nullptr && !view.range && h.picture.range != "given";
-    furniture.paleness = h.network ? k_paleness_behind_network : 0.0;
+    furniture.paleness = draws_network ? k_paleness_behind_network : 0.0;
 
     h.colour_cells(snapshot, h.drawn_cells(snapshot, final_camera), furniture);
     h.context.draw(h.surfaces.actor(), drawn_camera, reach_um, h.cells_drawn);
-    if (h.network) h.draw_network(snapshot, drawn_camera, reach_um, furniture);
+    if (draws_network) h.draw_network(snapshot, drawn_camera, reach_um, furniture);
     Image image = make_image(h.cells_drawn, k_n_samples, drawn_camera.px_per_um);
     draw_furniture(image, h.text, furniture);
     return image;
@@ -209,11 +216,10 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
 Camera Renderer::camera(const Snapshot& snapshot, const View& view) const {
     const Hidden& h = *hidden_;
     const int width = h.picture.size_px[0], height = h.picture.size_px[1];
-    Camera camera =
-        make_camera(aggregate_centre_um(snapshot),
-                    h.picture.azimuth_deg + view.progress * h.picture.orbit_deg, h.picture.elevation_deg);
-    const double free_width =
-        width - key_column_px(height, h.field != nullptr, h.picture.network);
+    Camera camera = make_camera(aggregate_centre_um(snapshot),
+                                h.picture.azimuth_deg + view.progress * h.picture.orbit_deg,
+                                h.picture.elevation_deg);
+    const double free_width = width - key_column_px(height, h.field != nullptr, h.picture.network);
     const double radius_um =
         view.fit_radius_um ? *view.fit_radius_um : aggregate_extent_um(snapshot);
     camera.px_per_um = k_filled_share * 0.5 * std::min<double>(height, free_width) / radius_um;
@@ -222,16 +228,10 @@ Camera Renderer::camera(const Snapshot& snapshot, const View& view) const {
     return camera;
 }
 
-const Field* Renderer::field() const {
-    return hidden_->field;
-}
+const Field* Renderer::field() const { return hidden_->field; }
 
-int Renderer::field_index() const {
-    return hidden_->field_index;
-}
+int Renderer::field_index() const { return hidden_->field_index; }
 
-const scene::Picture& Renderer::picture() const {
-    return hidden_->picture;
-}
+const scene::Picture& Renderer::picture() const { return hidden_->picture; }
 
 }  // namespace spheroscope::render

@@ -11,14 +11,14 @@
 
 namespace spheroscope::render {
 
-/// Whether cells are coloured by the picture's field in this frame. While beads are being seeded there is no
-/// mechanics that a field could show: cells are plain then.
+/// Whether cells are coloured by the picture's field in this frame. While beads are being seeded
+/// there is no mechanics that a field could show: cells are plain then.
 [[nodiscard]] bool shows_field(const Snapshot& snapshot);
 
 /// What changes from frame to frame besides the snapshot.
 struct View {
-    /// Half the height that the aggregate is given; the caller passes the largest extent of a movie, so
-    /// that the scale stays. Unset: this frame's extent.
+    /// Half the height that the aggregate is given; the caller passes the largest extent of a
+    /// movie, so that the scale stays. Unset: this frame's extent.
     std::optional<double> fit_radius_um;
     /// Unset: the scene's given range, or the range of this frame.
     std::optional<Range> range;
@@ -31,21 +31,23 @@ struct View {
 /// Distance of the farthest node from there, um.
 [[nodiscard]] double aggregate_extent_um(const Snapshot& snapshot);
 
-/// Turns snapshots of one run into pictures, one view of the scene. Pictures are the same bits for the
-/// same input. One thread makes, uses and destroys it.
+/// Turns snapshots of one run into pictures, one view of the scene. Pictures are the same bits for
+/// the same input. One thread makes, uses and destroys it.
 class Renderer {
   public:
-    /// Throws Error when the picture wants a field that the run does not hold, has a bad size or an empty
-    /// range (usage), or when nothing can be drawn here (environment).
+    /// Throws Error when the picture wants a field that the run does not hold, has a bad size or an
+    /// empty range (usage), or when nothing can be drawn here (environment).
     Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture);
     ~Renderer();
 
-    /// Precondition: the snapshot has this run's cells and fields, at least one cell, finite positions.
+    /// Precondition: the snapshot has this run's cells and fields, at least one cell, finite
+    /// positions.
     [[nodiscard]] Image render(const Snapshot& snapshot, const View& view);
 
     /// The view of that picture: where a point of space is in it.
     [[nodiscard]] Camera camera(const Snapshot& snapshot, const View& view) const;
-    /// The field that is shown; nullptr for plain cells. Its index in Snapshot::fields: field_index().
+    /// The field that is shown; nullptr for plain cells. Its index in Snapshot::fields:
+    /// field_index().
     [[nodiscard]] const Field* field() const;
     [[nodiscard]] int field_index() const;
     [[nodiscard]] const scene::Picture& picture() const;
@@ -55,8 +57,8 @@ class Renderer {
     std::unique_ptr<Hidden> hidden_;
 };
 
-/// The field of a picture in a run: its index, or -1 for plain cells. Throws Error (usage) when the run does
-/// not hold it.
+/// The field of a picture in a run: its index, or -1 for plain cells. Throws Error (usage) when the
+/// run does not hold it.
 [[nodiscard]] int find_picture_field(const RunHeader& header, const scene::Picture& picture);
 
 }  // namespace spheroscope::render

@@ -19,16 +19,16 @@ struct FileCloser {
 };
 using File = std::unique_ptr<std::FILE, FileCloser>;
 
-// libpng reports through these; throwing through its C frames is safe here because Debian builds it with
-// unwind tables, but not promised, so the message is kept and control returns by longjmp.
+// libpng reports through these; throwing through its C frames is safe here because Debian builds it
+// with unwind tables, but not promised, so the message is kept and control returns by longjmp.
 [[noreturn]] void keep_message(png_structp png, png_const_charp message) {
     *static_cast<std::string*>(png_get_error_ptr(png)) = message;
     png_longjmp(png, 1);
 }
 void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
-/// libpng's state for writing. No object with a destructor may be made between setjmp and the last call,
-/// so `write` gets everything ready-made.
+/// libpng's state for writing. No object with a destructor may be made between setjmp and the last
+/// call, so `write` gets everything ready-made.
 class PngOutput {
   public:
     PngOutput()
@@ -64,7 +64,8 @@ class PngOutput {
 class PngInput {
   public:
     PngInput()
-        : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, keep_message, ignore_warning)),
+        : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, keep_message,
+                                      ignore_warning)),
           info_(png_create_info_struct(png_)) {}
     ~PngInput() { png_destroy_read_struct(&png_, &info_, nullptr); }
     PngInput(const PngInput&) = delete;
@@ -146,7 +147,8 @@ void write_png(const std::filesystem::path& path, const Image& image, const PngT
     std::vector<png_text> png_texts;
     for (auto& [key, text] : kept) {
         png_text entry{};
-        entry.compression = text.size() > 1024 ? PNG_ITXT_COMPRESSION_zTXt : PNG_ITXT_COMPRESSION_NONE;
+        entry.compression =
+            text.size() > 1024 ? PNG_ITXT_COMPRESSION_zTXt : PNG_ITXT_COMPRESSION_NONE;
         entry.key = const_cast<char*>(key.c_str());
         entry.text = text.data();
         entry.itxt_length = text.size();
@@ -158,7 +160,8 @@ void write_png(const std::filesystem::path& path, const Image& image, const PngT
     PngOutput output;
     if (!output.write(file.get(), pixels, png_texts, rows)) throw fail(output.message());
     // Data can still be lost between our buffer and the disk (a full disk shows here).
-    if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0) throw fail(std::strerror(errno));
+    if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0)
+        throw fail(std::strerror(errno));
     file.reset();
     std::error_code error;
     std::filesystem::rename(temporary, path, error);

@@ -8,19 +8,20 @@
 
 namespace spheroscope::render {
 
-/// Words that travel inside a picture's file: key -> UTF-8 text. Keys have 1 to 79 ASCII characters.
+/// Words that travel inside a picture's file: key -> UTF-8 text. Keys have 1 to 79 ASCII
+/// characters.
 using PngTexts = std::map<std::string, std::string>;
 
-/// Writes a PNG that is complete or absent: under a temporary name in the same folder, then renamed.
-/// Throws Error when it cannot be written.
+/// Writes a PNG that is complete or absent: under a temporary name in the same folder, then
+/// renamed. Throws Error when it cannot be written.
 void write_png(const std::filesystem::path& path, const Image& image, const PngTexts& texts = {});
 
 struct PngFile {
     Image image;
     PngTexts texts;
 };
-/// Reads an 8-bit PNG of any colour type (transparency is put on white). Throws Error when the file is
-/// missing, is no PNG, or is damaged.
+/// Reads an 8-bit PNG of any colour type (transparency is put on white). Throws Error when the file
+/// is missing, is no PNG, or is damaged.
 [[nodiscard]] PngFile read_png(const std::filesystem::path& path);
 
 /// Only the texts that stand before the pixels; fast.

@@ -22,7 +22,7 @@ class CheckSum {
             add_word(word);
         }
         std::uint64_t rest = 0;
-        std::memcpy(&rest, bytes, size);
+        if (size > 0) std::memcpy(&rest, bytes, size);
         add_word(rest);
     }
     void add(const std::string& text) { add_bytes(text.data(), text.size()); }
@@ -67,10 +67,10 @@ std::string make_fingerprint(const Snapshot& snapshot, const scene::Picture& pic
     sum.add(header.resolved_scene);
     sum.add(header.version);
     sum.add(header.radius_um);
-    sum.add(fmt::format("{} {} {} {:.17g} {} {} {:.17g} {:.17g} {:.17g}", header.seed, header.n_cells,
-                        snapshot.frame, snapshot.time_s, snapshot.stage, snapshot.stage_name,
-                        snapshot.stage_progress, snapshot.totals.coordination_Z,
-                        snapshot.totals.contact_fraction));
+    sum.add(fmt::format("{} {} {} {:.17g} {} {} {:.17g} {:.17g} {:.17g}", header.seed,
+                        header.n_cells, snapshot.frame, snapshot.time_s, snapshot.stage,
+                        snapshot.stage_name, snapshot.stage_progress,
+                        snapshot.totals.coordination_Z, snapshot.totals.contact_fraction));
     sum.add(snapshot.x_um);
     sum.add(snapshot.normal);
     sum.add(snapshot.centre_um);
@@ -98,9 +98,8 @@ PngTexts make_provenance(const Snapshot& snapshot, const scene::Picture& picture
     texts["Picture"] = view_text(picture, view);
     const int field = find_picture_field(header, picture);
     if (field >= 0)
-        texts["Range"] =
-            fmt::format("{} {} {}", picture.field, range_text(picture, view),
-                        header.fields[static_cast<std::size_t>(field)]->shown_unit);
+        texts["Range"] = fmt::format("{} {} {}", picture.field, range_text(picture, view),
+                                     header.fields[static_cast<std::size_t>(field)]->shown_unit);
     texts[k_fingerprint_key] = make_fingerprint(snapshot, picture, view, drawn_by);
     return texts;
 }

@@ -8,8 +8,8 @@ namespace spheroscope::render {
 
 namespace {
 
-// Bins of ratio 2^(1/32) (2.2 %) from 2^-40 to 2^40 of a stored unit. What is smaller lands in bin 0;
-// no stress or tension of the model comes near the upper end.
+// Bins of ratio 2^(1/32) (2.2 %) from 2^-40 to 2^40 of a stored unit. What is smaller lands in bin
+// 0; no stress or tension of the model comes near the upper end.
 constexpr int k_bins_per_octave = 32;
 constexpr int k_lowest_octave = -40;
 constexpr int k_highest_octave = 40;
@@ -69,7 +69,8 @@ double RangeFinder::share_outside(const Range& range) const {
         for (std::size_t bin = 0; bin < counts.size(); ++bin) {
             // A bin counts unless all of it is inside. 1e-6: values are float32.
             const double far = sign * upper_edge(bin) * field_.shown_per_stored;
-            const double near = bin == 0 ? 0.0 : sign * upper_edge(bin - 1) * field_.shown_per_stored;
+            const double near =
+                bin == 0 ? 0.0 : sign * upper_edge(bin - 1) * field_.shown_per_stored;
             const double slack = 1e-6 * (range.high - range.low);
             const bool inside = std::max(far, near) <= range.high + slack &&
                                 std::min(far, near) >= range.low - slack;

@@ -14,12 +14,12 @@ struct Range {
     bool operator==(const Range&) const = default;
 };
 
-/// Finds the range that suits many values of one field, without keeping them: symmetric about zero for a
-/// signed field, from zero for a magnitude, ends rounded outward to nice numbers, at most half a percent of
-/// the values beyond either end.
+/// Finds the range that suits many values of one field, without keeping them: symmetric about zero
+/// for a signed field, from zero for a magnitude, ends rounded outward to nice numbers, at most
+/// half a percent of the values beyond either end.
 ///
-/// A range never gets narrower than k_smallest_half_width of the engine's units (1 Pa, 1 uN/m): rounding
-/// noise about zero must not fill the picture with colours.
+/// A range never gets narrower than k_smallest_half_width of the engine's units (1 Pa, 1 uN/m):
+/// rounding noise about zero must not fill the picture with colours.
 class RangeFinder {
   public:
     static constexpr double k_smallest_half_width = 1e-3;  ///< stored units
@@ -32,7 +32,8 @@ class RangeFinder {
     [[nodiscard]] std::int64_t n_values() const { return n_values_; }
     /// The range of all values so far; the smallest range if there was none.
     [[nodiscard]] Range range() const;
-    /// An upper bound of the share of the values that lie outside a range (shown unit); 0 without values.
+    /// An upper bound of the share of the values that lie outside a range (shown unit); 0 without
+    /// values.
     [[nodiscard]] double share_outside(const Range& range) const;
 
   private:
@@ -47,7 +48,8 @@ class RangeFinder {
 
 /// The next number at or above x > 0 of the form {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8} * 10^n.
 [[nodiscard]] double nice_ceil(double x);
-/// The next number at or below x > 0 of the form {1, 2, 5} * 10^n: lengths of bars and steps of ticks.
+/// The next number at or below x > 0 of the form {1, 2, 5} * 10^n: lengths of bars and steps of
+/// ticks.
 [[nodiscard]] double nice_step(double x);
 
 /// Positions of 3 to 7 round tick values inside a range, ascending.

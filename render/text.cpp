@@ -24,7 +24,11 @@ std::vector<FT_ULong> decode_utf8(std::string_view text) {
     std::vector<FT_ULong> points;
     for (std::size_t i = 0; i < text.size();) {
         const auto lead = static_cast<unsigned char>(text[i++]);
-        const int n_more = lead < 0x80 ? 0 : lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : lead >= 0xC0 ? 1 : -1;
+        const int n_more = lead < 0x80    ? 0
+                           : lead >= 0xF0 ? 3
+                           : lead >= 0xE0 ? 2
+                           : lead >= 0xC0 ? 1
+                                          : -1;
         FT_ULong point = n_more <= 0 ? lead : lead & (0x3FU >> n_more);
         bool good = n_more >= 0;
         for (int k = 0; good && k < n_more; ++k) {
@@ -110,10 +114,9 @@ double TextPainter::lay_out(Image* image, double x, double y, std::string_view t
             throw Error("a letter of \"" + std::string(text) + "\" cannot be drawn", "",
                         ExitCode::environment);
         if (image != nullptr)
-            blend_glyph(*image, face->glyph->bitmap,
-                        static_cast<int>(whole) + face->glyph->bitmap_left,
-                        static_cast<int>(std::lround(y - lift)) - face->glyph->bitmap_top,
-                        style.colour);
+            blend_glyph(
+                *image, face->glyph->bitmap, static_cast<int>(whole) + face->glyph->bitmap_left,
+                static_cast<int>(std::lround(y - lift)) - face->glyph->bitmap_top, style.colour);
         pen += static_cast<double>(face->glyph->linearHoriAdvance) / 65536.0;
         previous = glyph;
     }

@@ -10,10 +10,12 @@ namespace spheroscope::render {
 enum class FontStyle { normal, bold };
 /// Which point of the text's line stands at the given x.
 enum class Anchor { left, middle, right };
-/// `symbol`: "σ_nn" has a lowered nn, "s^-1" a raised -1; either runs until a space, '(' or the other mark.
+/// `symbol`: "σ_nn" has a lowered nn, "s^-1" a raised -1; either runs until a space, '(' or the
+/// other mark.
 enum class TextMode { plain, symbol };
 
-/// Writes text into pictures: DejaVu Sans, which has Greek letters and superscripts, through FreeType.
+/// Writes text into pictures: DejaVu Sans, which has Greek letters and superscripts, through
+/// FreeType.
 class TextPainter {
   public:
     /// Throws Error (ExitCode::environment) when the font files are missing.

@@ -6,9 +6,7 @@ namespace spheroscope::render {
 
 WorkQueue::WorkQueue(std::size_t capacity) : capacity_(capacity), thread_([this] { work(); }) {}
 
-WorkQueue::~WorkQueue() {
-    stop();
-}
+WorkQueue::~WorkQueue() { stop(); }
 
 void WorkQueue::add(std::function<void()> job) {
     std::unique_lock lock(mutex_);

@@ -10,8 +10,8 @@
 
 namespace spheroscope::render {
 
-/// One thread that does jobs in their order; at most `capacity` wait. The first exception of a job is
-/// thrown to the one who adds or finishes; later jobs are then dropped.
+/// One thread that does jobs in their order; at most `capacity` wait. The first exception of a job
+/// is thrown to the one who adds or finishes; later jobs are then dropped.
 class WorkQueue {
   public:
     explicit WorkQueue(std::size_t capacity);

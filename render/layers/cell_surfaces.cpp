@@ -45,19 +45,18 @@ CellSurfaces::CellSurfaces() : hidden_(std::make_unique<Hidden>()) {
     h.mapper->SetColorModeToDirectScalars();
     h.actor->SetMapper(h.mapper);
     // Shading shows the shape and must not be taken for stress: much ambient light, no highlights.
-    h.actor->GetProperty()->SetAmbient(0.38);
-    h.actor->GetProperty()->SetDiffuse(0.62);
+    h.actor->GetProperty()->SetAmbient(0.40);
+    h.actor->GetProperty()->SetDiffuse(0.60);
     h.actor->GetProperty()->SetSpecular(0.0);
     h.actor->GetProperty()->SetInterpolationToPhong();
-    // Surfaces are closed and wound outward: the inner side is never seen, and half the work is saved.
+    // Surfaces are closed and wound outward: the inner side is never seen, and half the work is
+    // saved.
     h.actor->GetProperty()->BackfaceCullingOn();
 }
 
 CellSurfaces::~CellSurfaces() = default;
 
-vtkActor* CellSurfaces::actor() {
-    return hidden_->actor;
-}
+vtkActor* CellSurfaces::actor() { return hidden_->actor; }
 
 void CellSurfaces::Hidden::connect(const MeshTopology& topology) {
     const int n_cells = static_cast<int>(cells.size());
@@ -79,7 +78,8 @@ void CellSurfaces::update(const Snapshot& snapshot, std::span<const int> cells, 
                           std::span<const Rgb> colours) {
     Hidden& h = *hidden_;
     const MeshTopology& topology = *snapshot.header->topology;
-    if (h.cells.size() != cells.size() || !std::equal(cells.begin(), cells.end(), h.cells.begin())) {
+    if (h.cells.size() != cells.size() ||
+        !std::equal(cells.begin(), cells.end(), h.cells.begin())) {
         h.cells.assign(cells.begin(), cells.end());
         h.connect(topology);
     }

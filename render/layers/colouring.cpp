@@ -18,8 +18,8 @@ void add_colours(const Field& field, std::span<const float> stored, const Range&
             ++count.n_absent;
         } else {
             double t = static_cast<double>(value) * scale - offset;
-            // 0.1 kPa as a float is a little more than 100 Pa: what float32 cannot tell from the end of the
-            // range lies in it.
+            // 0.1 kPa as a float is a little more than 100 Pa: what float32 cannot tell from the
+            // end of the range lies in it.
             constexpr double resolution = 1e-6;
             if (t < 0.0 && t > -resolution) t = 0.0;
             if (t > 1.0 && t < 1.0 + resolution) t = 1.0;

@@ -12,13 +12,13 @@ namespace spheroscope::render {
 
 /// How many values got which kind of colour.
 struct ColourCount {
-    std::int64_t n_shown = 0;   ///< values that are not NaN
-    std::int64_t n_absent = 0;  ///< NaN: nothing to measure
+    std::int64_t n_shown = 0;               ///< values that are not NaN
+    std::int64_t n_absent = 0;              ///< NaN: nothing to measure
     std::int64_t n_below = 0, n_above = 0;  ///< of the shown ones, outside the range
 };
 
-/// Colours of stored values of a field; NaN becomes k_absent_colour. `paleness` 0..1 mixes white in.
-/// Adds to `count`; appends to `colours`.
+/// Colours of stored values of a field; NaN becomes k_absent_colour. `paleness` 0..1 mixes white
+/// in. Adds to `count`; appends to `colours`.
 void add_colours(const Field& field, std::span<const float> stored, const Range& range,
                  double paleness, std::vector<Rgb>& colours, ColourCount& count);
 

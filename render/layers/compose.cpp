@@ -20,9 +20,9 @@ template <class F> void on_rows(int n_rows, const F& f) {
     f(0, n_rows / n_threads);
 }
 
-/// How dark the crease line is at a drawn pixel, 0..1: from how much deeper the pixel lies than the middle
-/// between its neighbours on opposite sides. A cell bulges towards the eye, so that only gaps between
-/// cells and the far side of a silhouette are deeper than both sides.
+/// How dark the crease line is at a drawn pixel, 0..1: from how much deeper the pixel lies than the
+/// middle between its neighbours on opposite sides. A cell bulges towards the eye, so that only
+/// gaps between cells and the far side of a silhouette are deeper than both sides.
 class Creases {
   public:
     Creases(const Buffers& drawn, int reach_px, double px_per_um)
@@ -82,17 +82,16 @@ Image make_image(const Buffers& drawn, int n_samples, double px_per_um) {
                         const int drawn_x = x * n_samples + sx;
                         const int drawn_y = drawn.height - 1 - (y * n_samples + sy);
                         const float light = 1.0F - k_crease_darkness * creases.at(drawn_x, drawn_y);
-                        const std::size_t i =
-                            3 * (static_cast<std::size_t>(drawn_y) *
-                                     static_cast<std::size_t>(drawn.width) +
-                                 static_cast<std::size_t>(drawn_x));
+                        const std::size_t i = 3 * (static_cast<std::size_t>(drawn_y) *
+                                                       static_cast<std::size_t>(drawn.width) +
+                                                   static_cast<std::size_t>(drawn_x));
                         for (std::size_t k = 0; k < 3; ++k)
                             sum[k] += light * static_cast<float>(drawn.rgb[i + k]);
                     }
                 const float n = static_cast<float>(n_samples * n_samples);
                 for (std::size_t k = 0; k < 3; ++k)
                     image.rgb[image.offset(x, y) + k] =
-                        static_cast<std::uint8_t>(std::lround(sum[k] / n));
+                        static_cast<std::uint8_t>(sum[k] / n + 0.5F);
             }
     });
     return image;

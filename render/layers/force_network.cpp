@@ -99,17 +99,15 @@ ForceNetwork::ForceNetwork(double mean_radius_um) : hidden_(std::make_unique<Hid
     h.mapper->SetInputData(h.mesh);
     h.mapper->SetColorModeToDirectScalars();
     h.actor->SetMapper(h.mapper);
-    h.actor->GetProperty()->SetAmbient(0.38);
-    h.actor->GetProperty()->SetDiffuse(0.62);
+    h.actor->GetProperty()->SetAmbient(0.40);
+    h.actor->GetProperty()->SetDiffuse(0.60);
     h.actor->GetProperty()->SetSpecular(0.0);
     h.actor->GetProperty()->BackfaceCullingOn();
 }
 
 ForceNetwork::~ForceNetwork() = default;
 
-vtkActor* ForceNetwork::actor() {
-    return hidden_->actor;
-}
+vtkActor* ForceNetwork::actor() { return hidden_->actor; }
 
 double ForceNetwork::tube_radius_um(double f) const {
     return k_unit_tube_share * hidden_->mean_radius_um * std::sqrt(f);
@@ -139,8 +137,7 @@ NetworkCount ForceNetwork::update(const Snapshot& snapshot) {
         h.add_ball(centre_of(snapshot, cell), k_ball_share * h.mean_radius_um);
     for (const ContactLink& link : snapshot.links) {
         const double force_nN = static_cast<double>(link.force_nN);
-        const double f =
-            count.mean_force_nN > 0.0 ? std::abs(force_nN) / count.mean_force_nN : 0.0;
+        const double f = count.mean_force_nN > 0.0 ? std::abs(force_nN) / count.mean_force_nN : 0.0;
         if (f < k_smallest_drawn) {
             ++count.n_left_out;
             continue;

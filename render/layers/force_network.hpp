@@ -11,15 +11,15 @@ namespace spheroscope::render {
 
 /// What the network's key says about a frame.
 struct NetworkCount {
-    int n_links = 0;          ///< touching pairs of cells
-    int n_left_out = 0;       ///< with f below k_smallest_drawn
-    double mean_force_nN = 0.0;  ///< <|F|> over all touching pairs; 0 if there are none
-    double unit_radius_um = 0.0; ///< of a tube with f = 1
+    int n_links = 0;              ///< touching pairs of cells
+    int n_left_out = 0;           ///< with f below k_smallest_drawn
+    double mean_force_nN = 0.0;   ///< <|F|> over all touching pairs; 0 if there are none
+    double unit_radius_um = 0.0;  ///< of a tube with f = 1
 };
 
-/// The contact forces between cells: a tube from centre to centre for each touching pair, its radius
-/// growing with the root of f = |F| / <|F|> (its cross-section with f), blue for compression, red for
-/// tension, pale below the mean. Centres are small dark balls.
+/// The contact forces between cells: a tube from centre to centre for each touching pair, its
+/// radius growing with the root of f = |F| / <|F|> (its cross-section with f), blue for
+/// compression, red for tension, pale below the mean. Centres are small dark balls.
 class ForceNetwork {
   public:
     static constexpr double k_smallest_drawn = 0.1;  ///< f; thinner tubes would not be seen

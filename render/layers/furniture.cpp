@@ -49,10 +49,12 @@ class Writer {
     void title(double x, double y, std::string words, double width) {
         TextPainter::Style style{scaled(k_title), k_ink, FontStyle::bold, TextMode::plain};
         const double wanted = text_.width(words, style);
-        if (wanted > width) style.size_px = std::max(scaled(k_text), style.size_px * width / wanted);
+        if (wanted > width)
+            style.size_px = std::max(scaled(k_text), style.size_px * width / wanted);
         if (text_.width(words, style) > width) {
             while (!words.empty() && text_.width(words + "…", style) > width) {
-                while (!words.empty() && (static_cast<unsigned char>(words.back()) & 0xC0U) == 0x80U)
+                while (!words.empty() &&
+                       (static_cast<unsigned char>(words.back()) & 0xC0U) == 0x80U)
                     words.pop_back();  // the tail of a letter of several bytes
                 if (!words.empty()) words.pop_back();
             }
@@ -63,8 +65,8 @@ class Writer {
 
     void swatch(double x, double y_baseline, Rgb colour, const std::string& words) {
         const double side = scaled(18.0);
-        fill_rectangle(image_, x, y_baseline - side + scaled(1.0), x + side, y_baseline + scaled(1.0),
-                       colour);
+        fill_rectangle(image_, x, y_baseline - side + scaled(1.0), x + side,
+                       y_baseline + scaled(1.0), colour);
         line(x + scaled(26.0), y_baseline, words);
     }
 
@@ -110,7 +112,8 @@ double Writer::colour_bar(double x, double y_top, double height, const Furniture
         const double share =
             (value - furniture.range.low) / (furniture.range.high - furniture.range.low);
         const double at = bottom - share * height;
-        fill_rectangle(image_, right, at - scaled(0.75), right + scaled(6.0), at + scaled(0.75), k_ink);
+        fill_rectangle(image_, right, at - scaled(0.75), right + scaled(6.0), at + scaled(0.75),
+                       k_ink);
         line(right + scaled(12.0), at + scaled(0.36 * k_text), tick_text(value, step));
     }
 
@@ -123,10 +126,8 @@ double Writer::colour_bar(double x, double y_top, double height, const Furniture
         y += scaled(k_line);
     };
     if (!field.absent.empty()) entry(k_absent_colour, std::string(field.absent));
-    if (count.n_above > 0)
-        entry(map.above(), share_text(count.n_above, count.n_shown) + " above");
-    if (count.n_below > 0)
-        entry(map.below(), share_text(count.n_below, count.n_shown) + " below");
+    if (count.n_above > 0) entry(map.above(), share_text(count.n_above, count.n_shown) + " above");
+    if (count.n_below > 0) entry(map.below(), share_text(count.n_below, count.n_shown) + " below");
     return y;
 }
 
@@ -158,9 +159,7 @@ double Writer::network_key(double x, double y, const NetworkCount& network, doub
 
 }  // namespace
 
-double writing_scale(int height_px) {
-    return std::max(1.0, height_px / 720.0);
-}
+double writing_scale(int height_px) { return std::max(1.0, height_px / 720.0); }
 
 double key_column_px(int height_px, bool has_field, bool has_network) {
     return has_field || has_network ? writing_scale(height_px) * k_column : 0.0;

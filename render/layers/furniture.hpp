@@ -29,16 +29,17 @@ struct Furniture {
     std::string footer;              ///< name of the scene
     double px_per_um = 1.0;
 
-    const Field* field = nullptr;    ///< nullptr: no colour bar
+    const Field* field = nullptr;  ///< nullptr: no colour bar
     Range range;
     bool range_is_of_this_frame = false;
     ColourCount count;
-    double paleness = 0.0;           ///< as used for the cells: the bar shows the colours of the picture
+    double paleness = 0.0;  ///< as used for the cells: the bar shows the colours of the picture
 
     std::optional<NetworkCount> network;
 };
 
-/// Height of the picture over which all sizes of writing scale; text never gets smaller than at 720 rows.
+/// Height of the picture over which all sizes of writing scale; text never gets smaller than at 720
+/// rows.
 [[nodiscard]] double writing_scale(int height_px);
 /// Width of the column on the right that bar and keys need, px; 0 without both.
 [[nodiscard]] double key_column_px(int height_px, bool has_field, bool has_network);

@@ -17,7 +17,8 @@ Rgb as_deuteranope_sees(Rgb c) {
     const auto linear = [](std::uint8_t v) { return std::pow(v / 255.0, 2.2); };
     const double r = linear(c.r), g = linear(c.g), b = linear(c.b);
     const auto byte = [](double v) {
-        return static_cast<std::uint8_t>(std::lround(255.0 * std::pow(std::max(v, 0.0), 1.0 / 2.2)));
+        return static_cast<std::uint8_t>(
+            std::lround(255.0 * std::pow(std::max(v, 0.0), 1.0 / 2.2)));
     };
     return {byte(std::min(1.0, 0.367322 * r + 0.860646 * g - 0.227968 * b)),
             byte(std::min(1.0, 0.280085 * r + 0.672501 * g + 0.047413 * b)),
@@ -30,8 +31,8 @@ TEST(ColourMap, EqualStepsOfTheValueAreEqualStepsForTheEye) {
         std::array<double, n_steps> steps;
         double mean = 0.0;
         for (int k = 0; k < n_steps; ++k) {
-            steps[static_cast<std::size_t>(k)] = distance(to_oklab(map->at(double(k) / n_steps)),
-                                                          to_oklab(map->at(double(k + 1) / n_steps)));
+            steps[static_cast<std::size_t>(k)] = distance(
+                to_oklab(map->at(double(k) / n_steps)), to_oklab(map->at(double(k + 1) / n_steps)));
             mean += steps[static_cast<std::size_t>(k)] / n_steps;
         }
         // A step is 16 of 257 entries: rounding to an entry is 1/16, to bytes about 0.002 of 0.05.

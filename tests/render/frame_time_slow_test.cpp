@@ -11,12 +11,11 @@
 namespace spheroscope::render {
 namespace {
 
-double cpu_s() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
+double cpu_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 TEST(FrameTime, OfACaseOfThePaperIsAFractionOfASecond) {
-    // 150 cells with 642 nodes each, 1280 x 720, as every frame of a movie: new positions and colours.
+    // 150 cells with 642 nodes each, 1280 x 720, as every frame of a movie: new positions and
+    // colours.
     const auto snapshot = synthetic::make_aggregate(150, 642);
     scene::Picture picture = synthetic::make_picture("normal_stress");
     picture.size_px = {1280, 720};
@@ -36,8 +35,8 @@ TEST(FrameTime, OfACaseOfThePaperIsAFractionOfASecond) {
         }
         std::cout << (cutaway ? "cutaway with network: " : "whole: ") << 1e3 * best_wall_s
                   << " ms wall, " << 1e3 * best_cpu_s << " ms of processor time per frame\n";
-        // The aim is 150 ms on two idle cores. Processor time hardly depends on what else is running; twice
-        // the aim on each of the two cores would be a real loss.
+        // The aim is 150 ms on two idle cores. Processor time hardly depends on what else is
+        // running; twice the aim on each of the two cores would be a real loss.
         EXPECT_LT(best_cpu_s, 2 * 2 * 0.150);
     }
 }

@@ -1,7 +1,6 @@
-#include "render/image_diff.hpp"
-
 #include "engine/base/error.hpp"
 #include "render/canvas.hpp"
+#include "render/image_diff.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
 #include "render/movie.hpp"
-
 #include "render/movie_writer.hpp"
 #include "render/png.hpp"
 #include "render/provenance.hpp"
@@ -28,7 +27,8 @@ class DriftingPair : public FrameSource {
     int n_frames() override { return n_frames_; }
     SnapshotPtr frame(int i) override {
         const double shift = 0.2 * i;
-        auto snapshot = synthetic::make_balls(header_, {{0, -9 - shift, 0}, {0, 9 + shift, 0}}, 9.0);
+        auto snapshot =
+            synthetic::make_balls(header_, {{0, -9 - shift, 0}, {0, 9 + shift, 0}}, 9.0);
         snapshot->frame = i;
         snapshot->time_s = 0.25 * i;
         snapshot->fields[2] = {stress_kPa_ * static_cast<float>(i + 1), -stress_kPa_};
@@ -84,10 +84,11 @@ TEST(Movie, HasAllFramesInItsSizeAndItsTitle) {
     const MovieResult result = make_movie(frames, settings_in(folder.path()));
     EXPECT_EQ(result.n_drawn, 5);
     EXPECT_EQ(count_files(folder.path() / "pair" / "frames"), 5);
-    const std::string probe = output_of(
-        "ffprobe -v error -count_frames -select_streams v:0 -show_entries "
-        "stream=codec_name,width,height,pix_fmt,nb_read_frames:format_tags=title,comment -of csv=p=0 " +
-        (folder.path() / "pair.mp4").string());
+    const std::string probe =
+        output_of("ffprobe -v error -count_frames -select_streams v:0 -show_entries "
+                  "stream=codec_name,width,height,pix_fmt,nb_read_frames:format_tags=title,comment "
+                  "-of csv=p=0 " +
+                  (folder.path() / "pair.mp4").string());
     EXPECT_NE(probe.find("h264,320,180,yuv420p,5"), std::string::npos) << probe;
     EXPECT_NE(probe.find("Synthetic aggregate"), std::string::npos) << probe;
     EXPECT_NE(probe.find("seed 42"), std::string::npos) << probe;
@@ -96,7 +97,8 @@ TEST(Movie, HasAllFramesInItsSizeAndItsTitle) {
 TEST(Movie, HasOneRangeOverTheWholeRun) {
     DriftingPair frames(5);
     const Survey survey = survey_frames(frames, synthetic::make_picture("mean_stress"));
-    EXPECT_EQ(survey.range, (Range{-60.0, 60.0})) << "the largest stress is 50 Pa, in the last frame";
+    EXPECT_EQ(survey.range, (Range{-60.0, 60.0}))
+        << "the largest stress is 50 Pa, in the last frame";
     EXPECT_EQ(survey.share_outside, 0.0);
     EXPECT_EQ(survey.time_decimals, 1);
 }

@@ -12,17 +12,20 @@
 namespace spheroscope::render {
 namespace {
 
-TEST(Osmesa, IsTheFirstLibraryThatTheProgramNeeds) {
+TEST(Osmesa, StandsBeforeEveryOtherLibraryThatHasOpenGl) {
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     const std::unique_ptr<FILE, int (*)(FILE*)> output(
         popen(("readelf --wide --dynamic '" + program + "'").c_str(), "r"), pclose);
     ASSERT_TRUE(output);
     std::array<char, 512> line;
-    std::string first;
+    std::string needed;
     while (std::fgets(line.data(), static_cast<int>(line.size()), output.get()) != nullptr)
-        if (first.empty() && std::string(line.data()).find("(NEEDED)") != std::string::npos)
-            first = line.data();
-    EXPECT_NE(first.find("libOSMesa"), std::string::npos) << "first needed: " << first;
+        if (std::string(line.data()).find("(NEEDED)") != std::string::npos) needed += line.data();
+    const std::size_t osmesa = needed.find("libOSMesa");
+    ASSERT_NE(osmesa, std::string::npos) << needed;
+    ASSERT_NE(needed.find("libvtkRenderingOpenGL2"), std::string::npos) << needed;
+    for (const char* other : {"libvtk", "libGL", "libOpenGL", "libGLEW", "libEGL"})
+        EXPECT_LT(osmesa, needed.find(other)) << needed;
 }
 
 TEST(Osmesa, PassesItsProbeOnAThreadOfItsOwnBesideAnother) {

@@ -1,6 +1,5 @@
-#include "render/png.hpp"
-
 #include "engine/base/error.hpp"
+#include "render/png.hpp"
 #include "tests/render/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +13,9 @@ Image gradient() {
     Image image(33, 17);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            image.set(x, y, {static_cast<std::uint8_t>(7 * x), static_cast<std::uint8_t>(15 * y),
-                             static_cast<std::uint8_t>(x * y)});
+            image.set(x, y,
+                      {static_cast<std::uint8_t>(7 * x), static_cast<std::uint8_t>(15 * y),
+                       static_cast<std::uint8_t>(x * y)});
     return image;
 }
 
@@ -62,6 +62,10 @@ TEST(Png, RefusesACutFileADamagedFileAndAForeignFile) {
 TEST(Png, ThatCannotBeWrittenIsAnErrorAndLeavesNothing) {
     const TemporaryFolder folder;
     EXPECT_THROW(write_png(folder.path() / "missing" / "a.png", gradient()), Error);
+    const auto taken = folder.path() / "taken.png";
+    std::filesystem::create_directories(taken / "by a folder");
+    EXPECT_THROW(write_png(taken, gradient()), Error);
+    EXPECT_FALSE(std::filesystem::exists(taken.string() + ".partial"));
     // A full disk: /dev/full takes the open, not the bytes.
     const auto path = folder.path() / "full.png";
     std::filesystem::create_symlink("/dev/full", path.string() + ".partial");

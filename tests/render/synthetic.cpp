@@ -8,18 +8,45 @@
 
 namespace spheroscope::render::synthetic {
 
-const Field k_node_field{"tension", "γ_eff", "nN/um", "mN/m", 1.0, Place::node,
-                         RangeKind::magnitude, "", "Tension of a node.", "test", nullptr};
-const Field k_triangle_field{"normal_stress", "σ_nn", "kPa", "Pa", 1000.0, Place::triangle,
-                             RangeKind::signed_about_zero, "no contact", "Stress of a triangle.",
-                             "test", nullptr};
-const Field k_cell_field{"mean_stress", "σ_h", "kPa", "Pa", 1000.0, Place::cell,
-                         RangeKind::signed_about_zero, "", "Stress of a cell.", "test", nullptr};
+const Field k_node_field{"tension",
+                         "γ_eff",
+                         "nN/um",
+                         "mN/m",
+                         1.0,
+                         Place::node,
+                         RangeKind::magnitude,
+                         "",
+                         "Tension of a node.",
+                         "test",
+                         nullptr};
+const Field k_triangle_field{"normal_stress",
+                             "σ_nn",
+                             "kPa",
+                             "Pa",
+                             1000.0,
+                             Place::triangle,
+                             RangeKind::signed_about_zero,
+                             "no contact",
+                             "Stress of a triangle.",
+                             "test",
+                             nullptr};
+const Field k_cell_field{"mean_stress",
+                         "σ_h",
+                         "kPa",
+                         "Pa",
+                         1000.0,
+                         Place::cell,
+                         RangeKind::signed_about_zero,
+                         "",
+                         "Stress of a cell.",
+                         "test",
+                         nullptr};
 
 namespace {
 
 void store(std::vector<float>& array, std::size_t i, const Vec3& v) {
-    for (int k = 0; k < 3; ++k) array[3 * i + static_cast<std::size_t>(k)] = static_cast<float>(v[k]);
+    for (int k = 0; k < 3; ++k)
+        array[3 * i + static_cast<std::size_t>(k)] = static_cast<float>(v[k]);
 }
 
 Vec3 load(const std::vector<float>& array, std::size_t i) {
@@ -52,7 +79,8 @@ std::vector<Vec3> packing(int n, double spacing_um) {
         for (int j = -6; j <= 6; ++j)
             for (int i = -6; i <= 6; ++i) {
                 // hexagonal layers, every second one shifted
-                const double odd_row = (j & 1) != 0 ? 0.5 : 0.0, odd_layer = (k & 1) != 0 ? 1.0 : 0.0;
+                const double odd_row = (j & 1) != 0 ? 0.5 : 0.0,
+                             odd_layer = (k & 1) != 0 ? 1.0 : 0.0;
                 Vec3 p(i + odd_row + 0.5 * odd_layer, 0.866 * j + 0.289 * odd_layer, 0.816 * k);
                 const auto index = static_cast<std::uint64_t>(points.size());
                 for (int a = 0; a < 3; ++a)
@@ -101,7 +129,8 @@ std::shared_ptr<Snapshot> make_balls(std::shared_ptr<const RunHeader> header,
     for (std::size_t c = 0; c < n_cells; ++c) {
         store(snapshot->centre_um, c, centres_um[c]);
         for (std::size_t i = 0; i < n_nodes; ++i) {
-            store(snapshot->x_um, c * n_nodes + i, centres_um[c] + radius_um * topology.unit_shape[i]);
+            store(snapshot->x_um, c * n_nodes + i,
+                  centres_um[c] + radius_um * topology.unit_shape[i]);
             store(snapshot->normal, c * n_nodes + i, topology.unit_shape[i].normalized());
         }
     }
@@ -136,20 +165,20 @@ std::shared_ptr<Snapshot> make_aggregate(int n_cells, int n_nodes, double squeez
             }
             if (a < b) {
                 const auto pair = static_cast<std::uint64_t>(a * centres.size() + b);
-                const double force = 2.0 * random.uniform(pair) * random.uniform(pair, 1) * 12.0 - 2.0;
-                snapshot->links.push_back({static_cast<int>(a), static_cast<int>(b),
-                                           static_cast<float>(force), 40.0F});
+                const double force =
+                    2.0 * random.uniform(pair) * random.uniform(pair, 1) * 12.0 - 2.0;
+                snapshot->links.push_back(
+                    {static_cast<int>(a), static_cast<int>(b), static_cast<float>(force), 40.0F});
             }
         }
     compute_normals(*snapshot);
     const double extent = centres.back().norm() + radius_um;
     for (std::size_t a = 0; a < centres.size(); ++a) {
         const double depth = 1.0 - centres[a].norm() / extent;
-        snapshot->fields[2][a] =
-            static_cast<float>(0.06 - 0.16 * depth + 0.03 * random.normal(a));
+        snapshot->fields[2][a] = static_cast<float>(0.06 - 0.16 * depth + 0.03 * random.normal(a));
         for (std::size_t i = a * n; i < (a + 1) * n; ++i)
-            snapshot->fields[0][i] = static_cast<float>(
-                0.5 + (partner[i] < 0 ? 0.08 : -0.14) + 0.02 * random.normal(i, 5));
+            snapshot->fields[0][i] = static_cast<float>(0.5 + (partner[i] < 0 ? 0.08 : -0.14) +
+                                                        0.02 * random.normal(i, 5));
         for (std::size_t t = 0; t < n_triangles; ++t) {
             const auto& nodes = topology.triangles[t];
             int b = partner[a * n + static_cast<std::size_t>(nodes[0])];
@@ -159,8 +188,10 @@ std::shared_ptr<Snapshot> make_aggregate(int n_cells, int n_nodes, double squeez
             if (b >= 0) {
                 const Vec3 x = load(snapshot->x_um, a * n + static_cast<std::size_t>(nodes[0]));
                 const double rim =
-                    (x - 0.5 * (centres[a] + centres[static_cast<std::size_t>(b)])).norm() / radius_um;
-                value = static_cast<float>(-0.18 + 0.5 * rim * rim + 0.02 * random.normal(a * n + t, 9));
+                    (x - 0.5 * (centres[a] + centres[static_cast<std::size_t>(b)])).norm() /
+                    radius_um;
+                value = static_cast<float>(-0.18 + 0.5 * rim * rim +
+                                           0.02 * random.normal(a * n + t, 9));
             }
             snapshot->fields[1][a * n_triangles + t] = value;
         }
