@@ -79,13 +79,10 @@ FrameQueue::Reader::~Reader() {
 SnapshotPtr FrameQueue::Reader::next() {
     std::vector<SnapshotPtr> seen;  // freed last, without the mutex
     std::unique_lock lock(shared_->mutex);
-    const auto has_frame = [&] {
-        return shared_->readers[index_].n_seen < shared_->n_pushed();
-    };
+    const auto has_frame = [&] { return shared_->readers[index_].n_seen < shared_->n_pushed(); };
     // No reference to the element is kept across the wait: add_reader() may move the array.
-    shared_->changed.wait(lock, [&] {
-        return has_frame() || shared_->closed || !shared_->readers[index_].active;
-    });
+    shared_->changed.wait(
+        lock, [&] { return has_frame() || shared_->closed || !shared_->readers[index_].active; });
     Shared::ReaderState& reader = shared_->readers[index_];
     if (!reader.active || !has_frame()) return nullptr;
     SnapshotPtr frame =
@@ -118,9 +115,8 @@ std::optional<std::string> FrameQueue::push(SnapshotPtr frame) {
     std::vector<SnapshotPtr> seen;  // freed last, without the mutex
     std::unique_lock lock(shared_->mutex);
     SPHEROSCOPE_ASSERT(!shared_->closed, "push after close");
-    shared_->changed.wait(lock, [&] {
-        return shared_->reason || std::ssize(shared_->frames) < shared_->capacity;
-    });
+    shared_->changed.wait(
+        lock, [&] { return shared_->reason || std::ssize(shared_->frames) < shared_->capacity; });
     if (shared_->reason) return shared_->reason;
     shared_->frames.push_back(std::move(frame));
     seen = shared_->take_out_seen();  // without readers nobody needs it

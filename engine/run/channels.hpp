@@ -13,9 +13,9 @@
 //                               --next--> movie    for the slowest reader, nothing is dropped
 //   engine --put---> LatestSlot --take--> panel    newest wins; the engine never waits
 //
-// Why a bounded queue: a movie frame may take longer than the steps before it, and an unbounded queue
-// would then keep the whole run in memory. Why a reader's failure stops the producer: a run whose file
-// or movie has a hole is worth less than one that ends with a reason.
+// Why a bounded queue: a movie frame may take longer than the steps before it, and an unbounded
+// queue would then keep the whole run in memory. Why a reader's failure stops the producer: a run
+// whose file or movie has a hole is worth less than one that ends with a reason.
 namespace spheroscope {
 
 /// One producer, any number of readers; each reader sees every frame in the order of push().
@@ -33,8 +33,8 @@ class FrameQueue {
 
         /// The next frame; waits for it. nullptr when the queue is closed and every frame was seen.
         [[nodiscard]] SnapshotPtr next();
-        /// Tells the producer why this reader cannot go on. The first reason of all readers is kept.
-        /// The reader gets no more frames after it.
+        /// Tells the producer why this reader cannot go on. The first reason of all readers is
+        /// kept. The reader gets no more frames after it.
         void fail(const std::string& reason);
 
       private:
@@ -52,20 +52,20 @@ class FrameQueue {
     FrameQueue(const FrameQueue&) = delete;
     FrameQueue& operator=(const FrameQueue&) = delete;
 
-    /// `name` is for messages ("store", "movie"). Precondition: nothing was pushed yet, so that every
-    /// reader sees every frame.
+    /// `name` is for messages ("store", "movie"). Precondition: nothing was pushed yet, so that
+    /// every reader sees every frame.
     [[nodiscard]] Reader add_reader(const std::string& name);
 
     /// Hands a frame to all readers; waits while one of them is `capacity` frames behind. Returns
-    /// nothing if all is well, or the reason of the reader that failed: then the frame was not taken,
-    /// and the run must stop. Precondition: the queue is open.
+    /// nothing if all is well, or the reason of the reader that failed: then the frame was not
+    /// taken, and the run must stop. Precondition: the queue is open.
     [[nodiscard]] std::optional<std::string> push(SnapshotPtr frame);
 
     /// No more frames will come; readers see what was pushed, then the end. May be called twice.
     void close();
 
-    /// Why a reader failed, if one did. To be asked once more after the readers have ended: the last
-    /// frame may fail after the last push().
+    /// Why a reader failed, if one did. To be asked once more after the readers have ended: the
+    /// last frame may fail after the last push().
     [[nodiscard]] std::optional<std::string> failure() const;
 
   private:

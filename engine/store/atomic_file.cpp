@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <optional>
-#include <vector>
-
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 namespace spheroscope {
 namespace {
@@ -20,22 +19,23 @@ namespace {
 struct JournalHead {
     std::array<char, 8> magic;
     std::uint64_t n_pages;
-    std::uint64_t size;               // of the file after the commit
-    std::uint64_t first_page_before;  // checksums of the file's first page: the journal belongs to a
-    std::uint64_t first_page_after;   // file only if the first page is one of these
-    std::uint64_t checksum;           // of everything behind the head
+    std::uint64_t size;  // of the file after the commit
+    std::uint64_t
+        first_page_before;           // checksums of the file's first page: the journal belongs to a
+    std::uint64_t first_page_after;  // file only if the first page is one of these
+    std::uint64_t checksum;          // of all the rest, this being 0
 };
 constexpr std::array<char, 8> k_journal_magic{'s', 'p', 'h', 'j', 'r', 'n', 'l', '1'};
 
-/// Places far behind any data that stand for the two locks. Open-file-description locks end with their
-/// descriptor, so a killed program leaves none behind.
+/// Places far behind any data that stand for the two locks. Open-file-description locks end with
+/// their descriptor, so a killed program leaves none behind.
 constexpr off_t k_writer_lock = off_t{1} << 62;
 constexpr off_t k_commit_lock = k_writer_lock + 1;
 
 enum class Wait { no, yes };
 
-/// False only if somebody else holds the lock. On file systems without locks (ENOLCK, ENOSYS, ...) all
-/// programs get it: that costs only the protection against two programs on one file.
+/// False only if somebody else holds the lock. On file systems without locks (ENOLCK, ENOSYS, ...)
+/// all programs get it: that costs only the protection against two programs on one file.
 bool lock_byte(int descriptor, off_t place, short type, Wait wait) {
     struct flock request {};
     request.l_type = type;
@@ -103,6 +103,12 @@ struct Journal {
     std::vector<std::byte> pages;
 };
 
+std::uint64_t checksum_of(JournalHead head, std::span<const std::byte> numbers,
+                          std::span<const std::byte> pages) {
+    head.checksum = 0;
+    return checksum(pages, checksum(numbers, checksum(bytes_of(head))));
+}
+
 /// Nothing if there is no complete journal: its writer was killed before the file was touched.
 std::optional<Journal> read_journal(const std::string& path, std::size_t page_bytes) {
     const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
@@ -122,7 +128,8 @@ std::optional<Journal> read_journal(const std::string& path, std::size_t page_by
     if (!read_all(file.number(), numbers, sizeof(JournalHead)) ||
         !read_all(file.number(), journal.pages, sizeof(JournalHead) + numbers.size()))
         return std::nullopt;
-    if (checksum(journal.pages, checksum(numbers)) != journal.head.checksum) return std::nullopt;
+    if (checksum_of(journal.head, numbers, journal.pages) != journal.head.checksum)
+        return std::nullopt;
     return journal;
 }
 
@@ -167,7 +174,8 @@ void AtomicFile::fail(const std::string& wanted, int error) const {
     std::string hint;
     if (error == ENOSPC || error == EDQUOT) hint = "make room; everything up to here is kept";
     if (error == ENOENT && mode_ == Mode::create) hint = "make the folder first";
-    if (error == EFBIG) hint = "the file size limit (ulimit -f) is reached; what came before is kept";
+    if (error == EFBIG)
+        hint = "the file size limit (ulimit -f) is reached; what came before is kept";
     throw Error(Loc{path_}, "cannot " + wanted + ": " + std::strerror(error), hint,
                 mode_ == Mode::read ? ExitCode::usage : ExitCode::environment);
 }
@@ -193,9 +201,9 @@ void AtomicFile::open_existing() {
     const int flags = mode_ == Mode::read ? O_RDONLY : O_RDWR;
     descriptor_ = open(path_.c_str(), flags | O_CLOEXEC);
     struct stat status {};
-    const bool is_folder =
-        descriptor_ < 0 ? errno == EISDIR
-                        : fstat(descriptor_, &status) == 0 && S_ISDIR(status.st_mode);
+    const bool is_folder = descriptor_ < 0
+                               ? errno == EISDIR
+                               : fstat(descriptor_, &status) == 0 && S_ISDIR(status.st_mode);
     if (is_folder) throw Error(Loc{path_}, "wanted a file, got a folder");
     if (descriptor_ < 0) fail("open it", errno);
     if (mode_ == Mode::append)
@@ -339,12 +347,13 @@ bool AtomicFile::write_journal() const {
     head.size = size_;
     head.first_page_before = first_page_checksum();
     const auto first = pages_.find(0);
-    head.first_page_after = first == pages_.end() ? head.first_page_before : checksum(first->second);
+    head.first_page_after =
+        first == pages_.end() ? head.first_page_before : checksum(first->second);
     const std::span<const std::byte> number_bytes = std::as_bytes(std::span(numbers));
-    head.checksum = checksum(pages, checksum(number_bytes));
+    head.checksum = checksum_of(head, number_bytes, pages);
 
-    const Descriptor journal(open(journal_path(path_).c_str(),
-                                  O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    const Descriptor journal(
+        open(journal_path(path_).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     return journal.number() >= 0 && write_all(journal.number(), bytes_of(head), 0) &&
            write_all(journal.number(), number_bytes, sizeof head) &&
            write_all(journal.number(), pages, sizeof head + number_bytes.size());

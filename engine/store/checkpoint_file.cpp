@@ -4,14 +4,14 @@
 #include "engine/store/atomic_file.hpp"
 #include "engine/store/hdf5_file.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <span>
 #include <string_view>
-
-#include <fmt/format.h>
 #include <unistd.h>
 
 namespace spheroscope {
@@ -51,9 +51,8 @@ std::uint64_t checksum_of(const CheckpointData& data) {
     return summer.sum();
 }
 
-template <class T>
-void write_arrays(File& file, const std::string& group,
-                  const std::map<std::string, std::vector<T>>& arrays) {
+template <class T> void write_arrays(File& file, const std::string& group,
+                                     const std::map<std::string, std::vector<T>>& arrays) {
     file.create_group(group);
     for (const auto& [name, values] : arrays) {
         SPHEROSCOPE_ASSERT(!name.empty() && name.find('/') == std::string::npos, name);
@@ -137,10 +136,10 @@ LoadedCheckpoint read_newest_checkpoint(const std::string& run_path) {
         return {read_checkpoint(older), older,
                 fmt::format("going on from the older checkpoint {}: {}", older, reason)};
     } catch (const Error& error) {
-        throw Error(Loc{run_path},
-                    fmt::format("there is no checkpoint to go on from\n  {}\n  {}", reason,
-                                error.what()),
-                    "run the scene from its start");
+        throw Error(
+            Loc{run_path},
+            fmt::format("there is no checkpoint to go on from\n  {}\n  {}", reason, error.what()),
+            "run the scene from its start");
     }
 }
 

@@ -2,16 +2,16 @@
 
 #include "engine/store/atomic_file.hpp"
 
+#include <hdf5.h>
+
 #include <exception>
 #include <limits>
 #include <memory>
 #include <new>
 #include <type_traits>
 
-#include <hdf5.h>
-
-// HDF5's 'virtual file driver': a table of functions with C linkage in spirit, so no exception leaves
-// them. H5FD_t must come first in our file: the library knows only that part.
+// HDF5's 'virtual file driver': a table of functions with C linkage in spirit, so no exception
+// leaves them. H5FD_t must come first in our file: the library knows only that part.
 namespace spheroscope::hdf5 {
 namespace {
 

@@ -3,12 +3,12 @@
 #include "engine/base/error.hpp"
 #include "engine/store/hdf5_driver.hpp"
 
+#include <hdf5.h>
+
 #include <algorithm>
 #include <numeric>
 #include <type_traits>
 #include <utility>
-
-#include <hdf5.h>
 
 namespace spheroscope::hdf5 {
 namespace {
@@ -54,7 +54,8 @@ template <> hid_t memory_type<std::int32_t>() { return H5T_NATIVE_INT32; }
 template <> hid_t memory_type<std::int64_t>() { return H5T_NATIVE_INT64; }
 template <> hid_t memory_type<std::uint8_t>() { return H5T_NATIVE_UINT8; }
 
-template <class T> constexpr H5T_class_t k_class = std::is_floating_point_v<T> ? H5T_FLOAT : H5T_INTEGER;
+template <class T> constexpr H5T_class_t k_class =
+    std::is_floating_point_v<T> ? H5T_FLOAT : H5T_INTEGER;
 
 std::uint64_t product(const Shape& shape) {
     return std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
@@ -84,7 +85,8 @@ File::File(const std::string& path, Mode mode)
     const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "open it"));
     check(use_storage(access, *storage_) ? 0 : -1, "open it");
     if (mode == Mode::create) {
-        // An index of chunks has room for 64 by default, 2 KiB in each packed array; ours have one chunk.
+        // An index of chunks has room for 64 by default, 2 KiB in each packed array; ours have one
+        // chunk.
         const Handle layout(check(H5Pcreate(H5P_FILE_CREATE), "create it"));
         check(H5Pset_istore_k(layout, 2), "create it");
         file_ = check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, layout, access), "create it");
@@ -149,8 +151,8 @@ std::vector<std::string> File::children(const std::string& group) const {
 
 void File::create_group(const std::string& group) {
     keep_quiet();
-    const Handle id(check(
-        H5Gcreate2(file_, group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "make " + group));
+    const Handle id(check(H5Gcreate2(file_, group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                          "make " + group));
 }
 
 void File::remove(const std::string& object) {
@@ -158,15 +160,14 @@ void File::remove(const std::string& object) {
     check(H5Ldelete(file_, object.c_str(), H5P_DEFAULT), "remove " + object);
 }
 
-template <class T>
-void File::write_array(const std::string& object, std::span<const T> values, const Shape& shape,
-                       Packing packing) {
+template <class T> void File::write_array(const std::string& object, std::span<const T> values,
+                                          const Shape& shape, Packing packing) {
     keep_quiet();
     SPHEROSCOPE_ASSERT(values.size() == product(shape), object + " is not " + text_of(shape));
     const std::vector<hsize_t> extent(shape.begin(), shape.end());
     const std::string what = "write " + object;
-    const Handle space(check(
-        H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), what));
+    const Handle space(
+        check(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), what));
     const Handle how(check(H5Pcreate(H5P_DATASET_CREATE), what));
     // Times of creation would make equal runs differ.
     check(H5Pset_obj_track_times(how, false), what);
@@ -175,9 +176,9 @@ void File::write_array(const std::string& object, std::span<const T> values, con
         check(H5Pset_shuffle(how), what);
         check(H5Pset_deflate(how, 1), what);
     }
-    const Handle dataset(check(H5Dcreate2(file_, object.c_str(), memory_type<T>(), space,
-                                          H5P_DEFAULT, how, H5P_DEFAULT),
-                               what));
+    const Handle dataset(check(
+        H5Dcreate2(file_, object.c_str(), memory_type<T>(), space, H5P_DEFAULT, how, H5P_DEFAULT),
+        what));
     if (!values.empty())
         check(H5Dwrite(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
               what);
@@ -216,13 +217,16 @@ template std::vector<float> File::read_array(const std::string&, const Shape&) c
 template void File::write_array(const std::string&, std::span<const double>, const Shape&, Packing);
 template std::vector<double> File::read_array(const std::string&) const;
 template std::vector<double> File::read_array(const std::string&, const Shape&) const;
-template void File::write_array(const std::string&, std::span<const std::int32_t>, const Shape&, Packing);
+template void File::write_array(const std::string&, std::span<const std::int32_t>, const Shape&,
+                                Packing);
 template std::vector<std::int32_t> File::read_array(const std::string&) const;
 template std::vector<std::int32_t> File::read_array(const std::string&, const Shape&) const;
-template void File::write_array(const std::string&, std::span<const std::int64_t>, const Shape&, Packing);
+template void File::write_array(const std::string&, std::span<const std::int64_t>, const Shape&,
+                                Packing);
 template std::vector<std::int64_t> File::read_array(const std::string&) const;
 template std::vector<std::int64_t> File::read_array(const std::string&, const Shape&) const;
-template void File::write_array(const std::string&, std::span<const std::uint8_t>, const Shape&, Packing);
+template void File::write_array(const std::string&, std::span<const std::uint8_t>, const Shape&,
+                                Packing);
 template std::vector<std::uint8_t> File::read_array(const std::string&) const;
 template std::vector<std::uint8_t> File::read_array(const std::string&, const Shape&) const;
 
@@ -234,9 +238,9 @@ void File::create_column(const std::string& object) {
     const Handle how(check(H5Pcreate(H5P_DATASET_CREATE), what));
     check(H5Pset_obj_track_times(how, false), what);
     check(H5Pset_chunk(how, 1, &chunk), what);
-    const Handle dataset(check(H5Dcreate2(file_, object.c_str(), H5T_NATIVE_DOUBLE, space,
-                                          H5P_DEFAULT, how, H5P_DEFAULT),
-                               what));
+    const Handle dataset(check(
+        H5Dcreate2(file_, object.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, how, H5P_DEFAULT),
+        what));
 }
 
 void File::append_to_column(const std::string& object, double value) {
@@ -279,8 +283,8 @@ void File::write_text(const std::string& object, const std::string& text) {
     const Handle space(check(H5Screate(H5S_SCALAR), what));
     const Handle how(check(H5Pcreate(H5P_DATASET_CREATE), what));
     check(H5Pset_obj_track_times(how, false), what);
-    const Handle dataset(check(
-        H5Dcreate2(file_, object.c_str(), type, space, H5P_DEFAULT, how, H5P_DEFAULT), what));
+    const Handle dataset(
+        check(H5Dcreate2(file_, object.c_str(), type, space, H5P_DEFAULT, how, H5P_DEFAULT), what));
     check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), what);
 }
 
@@ -315,8 +319,8 @@ void File::get_attribute(const std::string& object, const std::string& name, int
                          std::int64_t type, void* value) const {
     keep_quiet();
     const std::string what = "read attribute " + name + " of " + object;
-    const Handle attribute(
-        check(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), what));
+    const Handle attribute(check(
+        H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), what));
     const Handle stored(check(H5Aget_type(attribute), what));
     const Handle space(check(H5Aget_space(attribute), what));
     if (H5Tget_class(stored) != type_class || H5Sget_simple_extent_npoints(space) != 1)
@@ -328,8 +332,7 @@ void File::write_attribute(const std::string& object, const std::string& name, d
     put_attribute(object, name, H5T_NATIVE_DOUBLE, &value);
 }
 
-void File::write_attribute(const std::string& object, const std::string& name,
-                           std::int64_t value) {
+void File::write_attribute(const std::string& object, const std::string& name, std::int64_t value) {
     put_attribute(object, name, H5T_NATIVE_INT64, &value);
 }
 
@@ -372,8 +375,8 @@ std::uint64_t File::unsigned_attribute(const std::string& object, const std::str
 std::string File::text_attribute(const std::string& object, const std::string& name) const {
     keep_quiet();
     const std::string what = "read attribute " + name + " of " + object;
-    const Handle attribute(
-        check(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), what));
+    const Handle attribute(check(
+        H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), what));
     const Handle type(check(H5Aget_type(attribute), what));
     if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)
         fail("attribute " + name + " of " + object + " is not a text of ours");

@@ -38,9 +38,8 @@ class File {
     void create_group(const std::string& group);
     void remove(const std::string& object);
 
-    template <class T>
-    void write_array(const std::string& object, std::span<const T> values, const Shape& shape,
-                     Packing packing = Packing::none);
+    template <class T> void write_array(const std::string& object, std::span<const T> values,
+                                        const Shape& shape, Packing packing = Packing::none);
     [[nodiscard]] Shape shape(const std::string& object) const;
     /// The stored type must be of the same class (integer, floating point).
     template <class T> [[nodiscard]] std::vector<T> read_array(const std::string& object) const;

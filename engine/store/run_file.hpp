@@ -15,20 +15,22 @@ class File;
 /// How a run ended.
 struct RunEnd {
     bool is_complete = false;  ///< all stages came to their end
-    std::string outcome;       ///< in words: "rest", "cap", "interrupted", ... ; "" while the run goes on
+    std::string
+        outcome;  ///< in words: "rest", "cap", "interrupted", ... ; "" while the run goes on
     double wall_time_s = 0.0;  ///< what the run took
 };
 
 /// Writes a run to an HDF5 file, one group per frame (engine/store/README.md). Whatever kills the
-/// program, the file holds every frame whose write() returned, and nothing of any other. After an Error from
-/// write() or finish() the file is as before that call, and the writer can only be destroyed.
-/// Used by one thread.
+/// program, the file holds every frame whose write() returned, and nothing of any other. After an
+/// Error from write() or finish() the file is as before that call, and the writer can only be
+/// destroyed. Used by one thread.
 class RunFileWriter {
   public:
     enum class Existing { refuse, replace };
 
-    /// A new file. Throws Error for a folder, a file that exists and must not be replaced, a file that
-    /// another program writes, no permission or a full disk. A replaced file stays until the new one is there.
+    /// A new file. Throws Error for a folder, a file that exists and must not be replaced, a file
+    /// that another program writes, no permission or a full disk. A replaced file stays until the
+    /// new one is there.
     [[nodiscard]] static RunFileWriter create(const std::string& path, const RunHeader& header,
                                               Existing existing);
 
@@ -55,18 +57,20 @@ class RunFileWriter {
     int n_frames_;
 };
 
-/// Reads a run, also one that is still being written or whose writer was killed. The frames are those
-/// that the file had when it was opened. All functions throw Error naming the file if it is damaged.
+/// Reads a run, also one that is still being written or whose writer was killed. The frames are
+/// those that the file had when it was opened. All functions throw Error naming the file if it is
+/// damaged.
 ///
 /// The file is open only during a call, so that a writer is not held up.
 class RunFileReader {
   public:
-    /// Throws Error for a missing file, a folder, a file that is not HDF5, not a run of ours, cut off, or
-    /// of a newer format.
+    /// Throws Error for a missing file, a folder, a file that is not HDF5, not a run of ours, cut
+    /// off, or of a newer format.
     explicit RunFileReader(std::string path);
 
     [[nodiscard]] const std::string& path() const { return path_; }
-    /// Its fields have no `compute`, and all else that the file says about them. Compare them by name.
+    /// Its fields have no `compute`, and all else that the file says about them. Compare them by
+    /// name.
     [[nodiscard]] std::shared_ptr<const RunHeader> header() const { return header_; }
     [[nodiscard]] int n_frames() const { return static_cast<int>(time_s_.size()); }
     /// Model time of a frame, s.

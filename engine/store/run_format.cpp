@@ -2,11 +2,11 @@
 
 #include "engine/base/error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <deque>
-
-#include <fmt/format.h>
 
 namespace spheroscope::run_format {
 namespace {
@@ -34,9 +34,11 @@ constexpr std::array k_diagnostics{
 std::vector<Column> make_columns() {
     std::vector<Column> columns;
     for (const TotalsRow& row : all_totals())
-        std::visit([&](auto member) {
-            columns.push_back({row.name, row.unit, row.description, member});
-        }, row.member);
+        std::visit(
+            [&](auto member) {
+                columns.push_back({row.name, row.unit, row.description, member});
+            },
+            row.member);
     columns.insert(columns.end(), k_diagnostics.begin(), k_diagnostics.end());
     return columns;
 }
@@ -71,7 +73,8 @@ void write_topology(hdf5::File& file, const RunHeader& header) {
 std::shared_ptr<const MeshTopology> read_topology(const hdf5::File& file, std::uint64_t n_cells) {
     const auto n_nodes = static_cast<std::uint64_t>(file.int_attribute("/", "n_nodes"));
     const auto n_triangles = static_cast<std::uint64_t>(file.int_attribute("/", "n_triangles"));
-    const auto all = file.read_array<std::int32_t>("/topology/triangles", {n_cells * n_triangles, 3});
+    const auto all =
+        file.read_array<std::int32_t>("/topology/triangles", {n_cells * n_triangles, 3});
     const auto shape = file.read_array<double>("/topology/unit_shape", {n_nodes, 3});
     std::vector<MeshTopology::Triangle> triangles(n_triangles);
     for (std::uint64_t k = 0; k < all.size(); ++k) {
@@ -80,7 +83,8 @@ std::shared_ptr<const MeshTopology> read_topology(const hdf5::File& file, std::u
         int& corner = triangles[in_cell / 3][in_cell % 3];
         if (cell == 0) corner = static_cast<int>(node);
         if (node < 0 || node >= static_cast<std::int64_t>(n_nodes) || node != corner)
-            file.fail(fmt::format("/topology/triangles of cell {} is not the mesh of a cell", cell));
+            file.fail(
+                fmt::format("/topology/triangles of cell {} is not the mesh of a cell", cell));
     }
     std::vector<Vec3> nodes;
     for (std::size_t i = 0; i < n_nodes; ++i)
@@ -150,9 +154,9 @@ void check_that_it_is_ours(const hdf5::File& file) {
                                  : "wanted a run of spheroscope, got a '" + format + "'");
     const std::int64_t version = file.int_attribute("/", "format_version");
     if (version > k_format_version || version < 1)
-        file.fail(fmt::format("wanted a run of format 1 to {}, got format {}", k_format_version,
-                              version),
-                  "it was written by version " + file.text_attribute("/", "version"));
+        file.fail(
+            fmt::format("wanted a run of format 1 to {}, got format {}", k_format_version, version),
+            "it was written by version " + file.text_attribute("/", "version"));
 }
 
 }  // namespace
@@ -194,9 +198,7 @@ void set_column_value(const Column& column, Snapshot& frame, double value) {
     std::visit(Set{frame, value}, column.member);
 }
 
-std::string column_path(const Column& column) {
-    return "/diagnostics/" + std::string(column.name);
-}
+std::string column_path(const Column& column) { return "/diagnostics/" + std::string(column.name); }
 
 std::string step_path(int frame) { return fmt::format("/steps/{:06d}", frame); }
 
@@ -269,7 +271,8 @@ std::shared_ptr<const RunHeader> read_header(const hdf5::File& file) {
     const std::vector<std::string> names = file.children("/fields");
     header.fields.resize(names.size(), nullptr);
     for (const std::string& name : names) {
-        const auto index = static_cast<std::uint64_t>(file.int_attribute("/fields/" + name, "index"));
+        const auto index =
+            static_cast<std::uint64_t>(file.int_attribute("/fields/" + name, "index"));
         if (index >= names.size() || header.fields[index] != nullptr)
             file.fail(fmt::format("field {} has the impossible index {}", name, index));
         header.fields[index] = &owner->rows.emplace_back(read_field(file, name, *owner));

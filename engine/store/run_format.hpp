@@ -10,7 +10,8 @@
 #include <string_view>
 #include <variant>
 
-// What the writer and the reader of a run must agree on (engine/store/README.md is the description).
+// What the writer and the reader of a run must agree on (engine/store/README.md is the
+// description).
 namespace spheroscope::run_format {
 
 inline constexpr std::string_view k_format = "spheroscope run";
@@ -22,13 +23,14 @@ struct Column {
     std::string_view name;
     std::string_view unit;
     std::string_view description;
-    std::variant<double Totals::*, int Totals::*, double Diagnostics::*, std::int64_t Diagnostics::*>
+    std::variant<double Totals::*, int Totals::*, double Diagnostics::*,
+                 std::int64_t Diagnostics::*>
         member;
 };
 /// The table of totals, then the members of Diagnostics.
 [[nodiscard]] std::span<const Column> columns();
 [[nodiscard]] double column_value(const Column& column, const Snapshot& frame);
-/// A count, or a real number, for which NaN stands for 'undefined'?
+/// True for whole numbers; real numbers may be NaN, 'undefined'.
 [[nodiscard]] bool is_count(const Column& column);
 /// Precondition: a count's value is a whole number that fits.
 void set_column_value(const Column& column, Snapshot& frame, double value);
@@ -44,9 +46,9 @@ void set_column_value(const Column& column, Snapshot& frame, double value);
 /// Writes everything that does not change from frame to frame, with no frame yet.
 void write_header(hdf5::File& file, const RunHeader& header);
 
-/// Reads it back. The rows of `fields` come from the file, without `compute`, and live as long as the result:
-/// so a file keeps the meaning that its numbers had when they were written. Throws Error for a file that is
-/// not ours, newer than this program, or inconsistent.
+/// Reads it back. The rows of `fields` come from the file, without `compute`, and live as long as
+/// the result: so a file keeps the meaning that its numbers had when they were written. Throws
+/// Error for a file that is not ours, newer than this program, or inconsistent.
 [[nodiscard]] std::shared_ptr<const RunHeader> read_header(const hdf5::File& file);
 
 }  // namespace spheroscope::run_format

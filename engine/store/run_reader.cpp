@@ -3,12 +3,12 @@
 #include "engine/store/run_file.hpp"
 #include "engine/store/run_format.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <variant>
-
-#include <fmt/format.h>
 
 namespace spheroscope {
 namespace {
@@ -44,10 +44,9 @@ double read_column(const File& file, const run_format::Column& column, int frame
     const double largest = std::holds_alternative<int Totals::*>(column.member)
                                ? k_largest_count
                                : 9007199254740992.0;  // 2^53: whole numbers are exact up to it
-    if (run_format::is_count(column) &&
-        !(std::abs(value) <= largest && value == std::trunc(value)))
-        file.fail(fmt::format("wanted {} of frame {} to be a whole number, got {}", path, frame,
-                              value));
+    if (run_format::is_count(column) && !(std::abs(value) <= largest && value == std::trunc(value)))
+        file.fail(
+            fmt::format("wanted {} of frame {} to be a whole number, got {}", path, frame, value));
     return value;
 }
 

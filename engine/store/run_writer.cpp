@@ -3,10 +3,10 @@
 #include "engine/store/run_file.hpp"
 #include "engine/store/run_format.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
-
-#include <fmt/format.h>
 
 namespace spheroscope {
 namespace {
@@ -31,14 +31,16 @@ void check_positions(const File& file, const Snapshot& frame) {
     const auto n_nodes = static_cast<std::size_t>(frame.header->topology->n_nodes());
     for (std::size_t k = 0; k < frame.x_um.size(); ++k)
         if (!std::isfinite(frame.x_um[k]))
-            throw Error(Loc{file.path()},
-                        fmt::format("frame {} is not stored: the position of cell {}, node {} is {}",
-                                    frame.frame, k / 3 / n_nodes, k / 3 % n_nodes, frame.x_um[k]),
-                        "the run became unstable", ExitCode::not_converged);
+            throw Error(
+                Loc{file.path()},
+                fmt::format("frame {} is not stored: the position of cell {}, node {} is {}",
+                            frame.frame, k / 3 / n_nodes, k / 3 % n_nodes, frame.x_um[k]),
+                "the run became unstable", ExitCode::not_converged);
     if (!std::isfinite(frame.time_s))
-        throw Error(Loc{file.path()},
-                    fmt::format("frame {} is not stored: its time is {}", frame.frame, frame.time_s),
-                    "", ExitCode::not_converged);
+        throw Error(
+            Loc{file.path()},
+            fmt::format("frame {} is not stored: its time is {}", frame.frame, frame.time_s), "",
+            ExitCode::not_converged);
 }
 
 void write_contacts(File& file, const std::string& step, const std::vector<ContactLink>& links) {
@@ -140,8 +142,8 @@ RunFileWriter RunFileWriter::append(const std::string& path, const RunHeader& he
     const auto kept = static_cast<std::uint64_t>(n_frames);
     const std::uint64_t stored = file->shape("/time").at(0);
     if (kept > stored)
-        file->fail(fmt::format("wanted a file with at least {} frames to continue, got {}", n_frames,
-                               stored));
+        file->fail(fmt::format("wanted a file with at least {} frames to continue, got {}",
+                               n_frames, stored));
     file->truncate_column("/time", kept);
     for (const run_format::Column& column : run_format::columns())
         file->truncate_column(run_format::column_path(column), kept);

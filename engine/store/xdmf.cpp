@@ -4,12 +4,12 @@
 #include "engine/store/run_file.hpp"
 #include "engine/store/run_format.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <iterator>
 #include <span>
 #include <string_view>
-
-#include <fmt/format.h>
 
 namespace spheroscope {
 namespace {
@@ -17,11 +17,16 @@ namespace {
 std::string escape_xml(std::string_view text) {
     std::string escaped;
     for (const char c : text) {
-        if (c == '&') escaped += "&amp;";
-        else if (c == '<') escaped += "&lt;";
-        else if (c == '>') escaped += "&gt;";
-        else if (c == '"') escaped += "&quot;";
-        else escaped += c;
+        if (c == '&')
+            escaped += "&amp;";
+        else if (c == '<')
+            escaped += "&lt;";
+        else if (c == '>')
+            escaped += "&gt;";
+        else if (c == '"')
+            escaped += "&quot;";
+        else
+            escaped += c;
     }
     return escaped;
 }
@@ -46,11 +51,11 @@ std::string xdmf_text(const RunFileReader& run) {
     const RunHeader& header = *run.header();
     const std::uint64_t n_nodes = run_format::n_entries(header, Place::node);
     const std::uint64_t n_triangles = run_format::n_entries(header, Place::triangle);
-    const std::string file =
-        escape_xml(std::filesystem::path(run.path()).filename().string());
+    const std::string file = escape_xml(std::filesystem::path(run.path()).filename().string());
     const std::string vectors = fmt::format("{} 3", n_nodes);
 
-    std::string text = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
+    std::string text =
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
     auto out = std::back_inserter(text);
     fmt::format_to(out, "<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n",
                    escape_xml(header.title));
@@ -58,10 +63,10 @@ std::string xdmf_text(const RunFileReader& run) {
         const std::string step = run_format::step_path(frame);
         fmt::format_to(out, "<Grid Name=\"frame {}\" GridType=\"Uniform\">\n", frame);
         fmt::format_to(out, "  <Time Value=\"{}\"/>\n", run.time(frame));
-        fmt::format_to(out, "  <Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}</Topology>\n",
-                       n_triangles,
-                       data_item(k_int32, fmt::format("{} 3", n_triangles), file,
-                                 "/topology/triangles"));
+        fmt::format_to(
+            out, "  <Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}</Topology>\n",
+            n_triangles,
+            data_item(k_int32, fmt::format("{} 3", n_triangles), file, "/topology/triangles"));
         fmt::format_to(out, "  <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
                        data_item(k_float32, vectors, file, step + "/x"));
         fmt::format_to(out,
@@ -70,8 +75,7 @@ std::string xdmf_text(const RunFileReader& run) {
                        data_item(k_float32, vectors, file, step + "/normal"));
         for (const Field* field : header.fields) {
             if (field->place == Place::cell) continue;
-            const std::string size =
-                std::to_string(run_format::n_entries(header, field->place));
+            const std::string size = std::to_string(run_format::n_entries(header, field->place));
             // What XDMF calls a cell is a triangle of ours.
             fmt::format_to(out,
                            "  <Attribute Name=\"{} ({})\" AttributeType=\"Scalar\" Center=\"{}\">{}"

@@ -9,7 +9,6 @@
 #include <csignal>
 #include <functional>
 #include <limits>
-
 #include <sys/resource.h>
 
 namespace spheroscope {
@@ -55,7 +54,9 @@ TEST_F(BadFile, AMissingFileIsNamed) {
     expect_refusal(folder_ / "none.h5", "cannot open it: No such file or directory");
 }
 
-TEST_F(BadFile, AFolderIsNotAFile) { expect_refusal(folder_.path(), "wanted a file, got a folder"); }
+TEST_F(BadFile, AFolderIsNotAFile) {
+    expect_refusal(folder_.path(), "wanted a file, got a folder");
+}
 
 TEST_F(BadFile, AnEmptyFileIsNoRun) {
     const std::string path = folder_ / "empty.h5";
@@ -83,8 +84,9 @@ TEST_F(BadFile, ACheckpointIsNoRun) {
 }
 
 TEST_F(BadFile, ARunIsNoCheckpoint) {
-    EXPECT_NE(error_of([&] { static_cast<void>(read_checkpoint(good_)); }).find("wanted a checkpoint"),
-              std::string::npos);
+    EXPECT_NE(
+        error_of([&] { static_cast<void>(read_checkpoint(good_)); }).find("wanted a checkpoint"),
+        std::string::npos);
 }
 
 TEST_F(BadFile, AFileThatIsCutOffAnywhereIsRefused) {
@@ -138,10 +140,9 @@ TEST_F(BadFile, AnArrayOfAnotherSizeIsNamedWithBothSizes) {
 }
 
 TEST_F(BadFile, AFrameOfAnotherTimeIsRefused) {
-    expect_refusal(changed([](hdf5::File& file) {
-                       file.write_attribute("/steps/000001", "time_s", 99.0);
-                   }),
-                   "disagree about the time of frame 1");
+    expect_refusal(
+        changed([](hdf5::File& file) { file.write_attribute("/steps/000001", "time_s", 99.0); }),
+        "disagree about the time of frame 1");
 }
 
 TEST_F(BadFile, AContactWithoutASecondCellIsRefused) {
@@ -154,27 +155,27 @@ TEST_F(BadFile, AContactWithoutASecondCellIsRefused) {
 }
 
 TEST_F(BadFile, ATriangleWithAnImpossibleNodeIsRefused) {
-    expect_refusal(changed([&](hdf5::File& file) {
-                       auto nodes = file.read_array<std::int32_t>("/topology/triangles");
-                       nodes[4] = 1000000;
-                       file.remove("/topology/triangles");
-                       file.write_array<std::int32_t>("/topology/triangles", nodes,
-                                                      {nodes.size() / 3, 3});
-                   }),
-                   "/topology/triangles of cell 0 is not the mesh of a cell");
+    expect_refusal(
+        changed([&](hdf5::File& file) {
+            auto nodes = file.read_array<std::int32_t>("/topology/triangles");
+            nodes[4] = 1000000;
+            file.remove("/topology/triangles");
+            file.write_array<std::int32_t>("/topology/triangles", nodes, {nodes.size() / 3, 3});
+        }),
+        "/topology/triangles of cell 0 is not the mesh of a cell");
 }
 
 TEST_F(BadFile, AMeshWithAHoleIsRefused) {
-    expect_refusal(changed([&](hdf5::File& file) {
-                       auto nodes = file.read_array<std::int32_t>("/topology/triangles");
-                       const std::size_t per_cell = nodes.size() / 2;
-                       nodes[0] = nodes[1];  // in both cells alike
-                       nodes[per_cell] = nodes[per_cell + 1];
-                       file.remove("/topology/triangles");
-                       file.write_array<std::int32_t>("/topology/triangles", nodes,
-                                                      {nodes.size() / 3, 3});
-                   }),
-                   "its mesh is damaged");
+    expect_refusal(
+        changed([&](hdf5::File& file) {
+            auto nodes = file.read_array<std::int32_t>("/topology/triangles");
+            const std::size_t per_cell = nodes.size() / 2;
+            nodes[0] = nodes[1];  // in both cells alike
+            nodes[per_cell] = nodes[per_cell + 1];
+            file.remove("/topology/triangles");
+            file.write_array<std::int32_t>("/topology/triangles", nodes, {nodes.size() / 3, 3});
+        }),
+        "its mesh is damaged");
 }
 
 class BadOutput : public BadFile {
@@ -194,7 +195,8 @@ TEST_F(BadOutput, AFolderInTheWayIsNamed) {
 
 TEST_F(BadOutput, AFolderThatDoesNotExistIsNamedWithAHint) {
     const std::string error = refusal(folder_ / "none/run.h5");
-    EXPECT_NE(error.find("cannot create it: No such file or directory"), std::string::npos) << error;
+    EXPECT_NE(error.find("cannot create it: No such file or directory"), std::string::npos)
+        << error;
     EXPECT_NE(error.find("make the folder first"), std::string::npos) << error;
 }
 

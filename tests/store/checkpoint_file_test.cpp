@@ -15,7 +15,10 @@ using samples::error_of;
 
 CheckpointData make_data(int number) {
     CheckpointData data;
-    data.float64["x_um"] = {0.1 * number, -0.0, 5e-324, -1e300,
+    data.float64["x_um"] = {0.1 * number,
+                            -0.0,
+                            5e-324,
+                            -1e300,
                             std::numeric_limits<double>::infinity(),
                             std::bit_cast<double>(std::uint64_t{0x7ff8000000000123U}),
                             std::bit_cast<double>(std::uint64_t{0xfff0000000000001U})};
@@ -68,9 +71,9 @@ TEST_F(Checkpoint, ANewestOneThatIsCutOffGivesWayToTheOlderOneWithANote) {
         samples::write_bytes(checkpoint_path(run_), bytes.substr(0, length));
         const LoadedCheckpoint loaded = read_newest_checkpoint(run_);
         expect_equal(loaded.data, make_data(0));
-        EXPECT_NE(loaded.note.find("going on from the older checkpoint " +
-                                   older_checkpoint_path(run_)),
-                  std::string::npos);
+        EXPECT_NE(
+            loaded.note.find("going on from the older checkpoint " + older_checkpoint_path(run_)),
+            std::string::npos);
     }
 }
 
@@ -90,8 +93,9 @@ TEST_F(Checkpoint, AChangedNumberIsNoticed) {
     ASSERT_NE(place, std::string::npos);
     bytes[place] = static_cast<char>(bytes[place] ^ 1);
     samples::write_bytes(checkpoint_path(run_), bytes);
-    EXPECT_NE(error_of([&] { static_cast<void>(read_checkpoint(checkpoint_path(run_))); })
-                  .find("do not have its checksum"),
+    EXPECT_NE(error_of([&] {
+                  static_cast<void>(read_checkpoint(checkpoint_path(run_)));
+              }).find("do not have its checksum"),
               std::string::npos);
 }
 

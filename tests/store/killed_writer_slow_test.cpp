@@ -7,15 +7,14 @@
 #include <csignal>
 #include <cstdlib>
 #include <random>
-#include <thread>
-
 #include <sys/syscall.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 // Every change of a file goes through these four functions. This program's own versions count the
-// calls, and the process ends, as kill -9 would end it, at a chosen one: so that every moment between two changes
-// is tried, and not only those that a random kill happens to hit.
+// calls, and the process ends, as kill -9 would end it, at a chosen one: so that every moment
+// between two changes is tried, and not only those that a random kill happens to hit.
 namespace {
 
 long g_calls_left = -1;  // -1: no end
@@ -66,7 +65,8 @@ namespace {
 
 class KilledWriter : public testing::Test {
   protected:
-    /// In a child process: `action` until the end or the kill. Returns true if the child was killed.
+    /// In a child process: `action` until the end or the kill. Returns true if the child was
+    /// killed.
     template <class F> static bool run_in_child(const F& action) {
         const pid_t child = fork();
         if (child == 0) {

@@ -101,8 +101,7 @@ TEST_F(RunFile, AReplacedFileHasOnlyTheNewRun) {
         RunFileWriter writer = create(path_);
         write_frames(writer, 3);
     }
-    RunFileWriter writer =
-        RunFileWriter::create(path_, *header_, RunFileWriter::Existing::replace);
+    RunFileWriter writer = RunFileWriter::create(path_, *header_, RunFileWriter::Existing::replace);
     write_frames(writer, 1);
     expect_frames(path_, 1);
 }
@@ -114,8 +113,8 @@ TEST_F(RunFile, TwoWritersOfOneFileAreRefused) {
               }).find("another program is writing this file"),
               std::string::npos);
     EXPECT_NE(error_of([&] {
-                  static_cast<void>(RunFileWriter::create(path_, *header_,
-                                                          RunFileWriter::Existing::replace));
+                  static_cast<void>(
+                      RunFileWriter::create(path_, *header_, RunFileWriter::Existing::replace));
               }).find("another program is writing this file"),
               std::string::npos);
 }
@@ -145,7 +144,8 @@ std::string contents(const hdf5::File& file, int n_frames) {
     for (const std::string& step : file.children("/steps")) text += step + "\n";
     for (int n = 0; n < n_frames; ++n)
         add(run_format::step_path(n), file.read_array<float>(run_format::step_path(n) + "/x"));
-    text += std::to_string(file.int_attribute("/", "complete")) + file.text_attribute("/", "outcome");
+    text +=
+        std::to_string(file.int_attribute("/", "complete")) + file.text_attribute("/", "outcome");
     return text;
 }
 
@@ -178,8 +178,7 @@ TEST_F(RunFile, OnlyTheSameRunCanBeContinued) {
         write_frames(writer, 2);
     }
     const auto refusal = [&](const RunHeader& header, int n_frames) {
-        return error_of(
-            [&] { static_cast<void>(RunFileWriter::append(path_, header, n_frames)); });
+        return error_of([&] { static_cast<void>(RunFileWriter::append(path_, header, n_frames)); });
     };
     RunHeader other = *header_;
     other.seed = 7;
@@ -199,8 +198,9 @@ TEST_F(RunFile, AMissingFrameNumberIsAnErrorWithTheNumberOfFrames) {
     write_frames(writer, 2);
     const RunFileReader reader(path_);
     for (const int number : {-1, 2})
-        EXPECT_NE(error_of([&] { static_cast<void>(reader.frame(number)); }).find("a run of 2 frames"),
-                  std::string::npos);
+        EXPECT_NE(
+            error_of([&] { static_cast<void>(reader.frame(number)); }).find("a run of 2 frames"),
+            std::string::npos);
 }
 
 TEST_F(RunFile, UnitsStandBesideTheNumbers) {

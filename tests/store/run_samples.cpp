@@ -15,13 +15,31 @@
 namespace spheroscope::samples {
 namespace {
 
-const Field k_tension{"gamma_eff", "γ_eff", "nN/um", "nN/µm", 1.0, Place::node,
-                      RangeKind::magnitude, "", "Effective tension.", "eqn (1)", nullptr};
-const Field k_contact{"sigma_nn", "σ_nn", "kPa", "Pa", 1000.0, Place::triangle,
-                      RangeKind::signed_about_zero, "no contact", "Normal stress <&> more.",
-                      "eqn (3)", nullptr};
-const Field k_cell{"sigma_h", "σ_h", "kPa", "Pa", 1000.0, Place::cell,
-                   RangeKind::signed_about_zero, "", "Hydrostatic stress.", "eqn (4)", nullptr};
+const Field k_tension{
+    "gamma_eff",          "γ_eff",   "nN/um", "nN/µm", 1.0, Place::node, RangeKind::magnitude, "",
+    "Effective tension.", "eqn (1)", nullptr};
+const Field k_contact{"sigma_nn",
+                      "σ_nn",
+                      "kPa",
+                      "Pa",
+                      1000.0,
+                      Place::triangle,
+                      RangeKind::signed_about_zero,
+                      "no contact",
+                      "Normal stress <&> more.",
+                      "eqn (3)",
+                      nullptr};
+const Field k_cell{"sigma_h",
+                   "σ_h",
+                   "kPa",
+                   "Pa",
+                   1000.0,
+                   Place::cell,
+                   RangeKind::signed_about_zero,
+                   "",
+                   "Hydrostatic stress.",
+                   "eqn (4)",
+                   nullptr};
 
 std::vector<float> numbers(std::size_t n, double seed) {
     std::vector<float> values(n);
@@ -95,8 +113,7 @@ bool is_equal(const Snapshot& got, const Snapshot& wanted) {
                  got.fields.size() == wanted.fields.size() &&
                  same_bits(got.centre_um, wanted.centre_um) &&
                  same_bits(got.pressure_kPa, wanted.pressure_kPa) &&
-                 same_bits(got.volume_um3, wanted.volume_um3) &&
-                 same_bits(got.links, wanted.links);
+                 same_bits(got.volume_um3, wanted.volume_um3) && same_bits(got.links, wanted.links);
     for (std::size_t f = 0; equal && f < wanted.fields.size(); ++f)
         equal = same_bits(got.fields[f], wanted.fields[f]);
     for (const run_format::Column& column : run_format::columns())

@@ -10,7 +10,8 @@ namespace spheroscope::samples {
 
 /// A run of made-up numbers: every array has its own, none is round, NaN where it is allowed.
 [[nodiscard]] std::shared_ptr<const RunHeader> make_header(int n_cells = 2, int n_nodes = 42);
-/// Frame `number` of that run. The number of contacts changes from frame to frame, beginning with none.
+/// Frame `number` of that run. The number of contacts changes from frame to frame, beginning with
+/// none.
 [[nodiscard]] Snapshot make_frame(const std::shared_ptr<const RunHeader>& header, int number);
 
 /// Compares everything, bit by bit (NaN equals NaN), as test expectations.

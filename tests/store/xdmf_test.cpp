@@ -47,8 +47,10 @@ TEST_F(Xdmf, EveryArrayItNamesIsAWholeDatasetOfThatShape) {
 
 TEST_F(Xdmf, EveryFrameHasItsTimeAndFieldsStandWhereTheyBelong) {
     EXPECT_EQ(count("<Time Value=\"[0-9.e+-]+\"/>"), k_frames);
-    EXPECT_EQ(count("Name=\"sigma_nn \\(kPa\\)\" AttributeType=\"Scalar\" Center=\"Cell\""), k_frames);
-    EXPECT_EQ(count("Name=\"gamma_eff \\(nN/um\\)\" AttributeType=\"Scalar\" Center=\"Node\""), k_frames);
+    EXPECT_EQ(count("Name=\"sigma_nn \\(kPa\\)\" AttributeType=\"Scalar\" Center=\"Cell\""),
+              k_frames);
+    EXPECT_EQ(count("Name=\"gamma_eff \\(nN/um\\)\" AttributeType=\"Scalar\" Center=\"Node\""),
+              k_frames);
     EXPECT_EQ(count("sigma_h"), 0);
 }
 
