@@ -5,6 +5,7 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -83,6 +84,8 @@ double TextPainter::lay_out(Image* image, double x, double y, std::string_view t
     FT_Face face = hidden_->faces[style.font == FontStyle::bold ? 1 : 0];
     double pen = x;
     double lift = 0.0, scale = 1.0;
+    double scripts_begin = x,
+           widest = x;  // of the scripts behind one letter, which stand above each other
     FT_UInt previous = 0;
     const auto set_size = [&] {
         FT_Set_Char_Size(face, 0, std::lround(64.0 * scale * style.size_px), 72, 72);
@@ -92,9 +95,12 @@ double TextPainter::lay_out(Image* image, double x, double y, std::string_view t
         if (style.mode == TextMode::symbol) {
             const bool opens = point == '_' || point == '^';
             const bool closes = scale != 1.0 && (point == ' ' || point == '(');
+            if (opens && scale == 1.0) scripts_begin = widest = pen;
             if (opens || closes) {
+                widest = std::max(widest, pen);
+                pen = opens ? scripts_begin : widest;
                 scale = opens ? 0.72 : 1.0;
-                lift = opens ? (point == '_' ? -0.18 : 0.34) * style.size_px : 0.0;
+                lift = opens ? (point == '_' ? -0.2 : 0.38) * style.size_px : 0.0;
                 previous = 0;
                 set_size();
             }
@@ -120,7 +126,7 @@ double TextPainter::lay_out(Image* image, double x, double y, std::string_view t
         pen += static_cast<double>(face->glyph->linearHoriAdvance) / 65536.0;
         previous = glyph;
     }
-    return pen - x;
+    return std::max(pen, widest) - x;
 }
 
 double TextPainter::width(std::string_view text, const Style& style) {

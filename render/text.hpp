@@ -10,7 +10,7 @@ namespace spheroscope::render {
 enum class FontStyle { normal, bold };
 /// Which point of the text's line stands at the given x.
 enum class Anchor { left, middle, right };
-/// `symbol`: "σ_nn" has a lowered nn, "s^-1" a raised -1; either runs until a space, '(' or the
+/// `symbol`: "σ^c_nn" has a lowered nn below a raised c; either runs until a space, '(' or the
 /// other mark.
 enum class TextMode { plain, symbol };
 

@@ -20,7 +20,7 @@ const Field k_node_field{"tension",
                          "test",
                          nullptr};
 const Field k_triangle_field{"normal_stress",
-                             "σ_nn",
+                             "σ^c_nn",
                              "kPa",
                              "Pa",
                              1000.0,
