@@ -1,0 +1,34 @@
+#include "render/verb_pictures.hpp"
+
+#include <filesystem>
+
+namespace spheroscope {
+
+bool is_run_file(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".h5";
+}
+
+std::vector<scene::Picture> pictures_of(const RunFileReader& reader,
+                                        const cli::CommonOptions& options) {
+    const scene::Scene scene =
+        scene::parse_scene(reader.header()->resolved_scene, "scene in " + reader.path(),
+                           options.overrides());
+    if (scene.pictures.empty())
+        throw Error(reader.path() + ": its scene has no [[picture]]",
+                    "add one with --set 'picture[0].field=sigma_h'");
+    return scene.pictures;
+}
+
+std::vector<scene::Picture> choose(const std::vector<scene::Picture>& pictures,
+                                   const std::string& wanted) {
+    if (wanted == "all") return pictures;
+    if (wanted.empty()) return {pictures.front()};
+    std::string known;
+    for (const scene::Picture& picture : pictures) {
+        if (picture.name == wanted) return {picture};
+        known += " " + picture.name;
+    }
+    throw Error("there is no picture '" + wanted + "'", "pictures are:" + known + " all");
+}
+
+}  // namespace spheroscope

@@ -1,0 +1,7 @@
+#include "render/verbs.hpp"
+
+namespace spheroscope {
+
+std::vector<cli::Verb> render_verbs() { return {movie_verb(), render_verb(), diff_verb()}; }
+
+}  // namespace spheroscope

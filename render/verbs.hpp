@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/cli/verb.hpp"
+
+#include <vector>
+
+namespace spheroscope {
+
+/// The verbs that make pictures; the program adds them to the engine's.
+[[nodiscard]] std::vector<cli::Verb> render_verbs();
+
+// One file verb_<name>.cpp each.
+[[nodiscard]] cli::Verb movie_verb();
+[[nodiscard]] cli::Verb render_verb();
+[[nodiscard]] cli::Verb diff_verb();
+
+}  // namespace spheroscope
