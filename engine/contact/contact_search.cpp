@@ -19,8 +19,10 @@ struct Swept {
 }  // namespace
 
 double ContactSearch::reach_um() const {
-    // delta >= 0 at a distance of up to 2 h0 / c along n, and c^2 = (1 - n_A.n_B) / 2.
-    return 2.0 * law_.h0_um / std::sqrt(0.5 * (1.0 - law_.reject_cos));
+    // At the centroid of a contact the gap along n is 2 h0 / c - delta, with c^2 = (1 - n_A.n_B) / 2 and
+    // delta between 0 and the largest overlap: beyond that two surfaces are through each other.
+    const double widest_um = 2.0 * law_.h0_um / std::sqrt(0.5 * (1.0 - law_.reject_cos));
+    return std::max(widest_um, law_.largest_overlap_um - 2.0 * law_.h0_um);
 }
 
 bool ContactSearch::lists_are_valid(const Model& model, std::span<const Vec3> x_um) const {

@@ -56,7 +56,7 @@ class ContactSearch {
     void collect_candidates(const Model& model, const Geometry& geometry, CandidateGroup& group) const;
     void evaluate(const Model& model, std::span<const Vec3> x_um, const Geometry& geometry,
                   CandidateGroup& group) const;
-    /// Largest distance of two surfaces that still touch, um.
+    /// Largest distance, outside or inside each other, of two surfaces that make a contact, um.
     [[nodiscard]] double reach_um() const;
 
     struct Box {
