@@ -1,0 +1,189 @@
+#include "engine/base/random.hpp"
+#include "engine/contact/contact_search.hpp"
+
+#include "tests/reference/all_pairs.hpp"
+#include "tests/reference/made_up_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace spheroscope::test {
+namespace {
+
+const ContactLaw k_law = adhesive_law(0.5, 0.3, 2.0, 0.0);
+constexpr double k_skin_um = 0.3;
+
+/// What a search finds now, with its own lists if it has any.
+Contacts found(ContactSearch& search, const Cluster& cells, Workers& workers) {
+    const Geometry geometry = geometry_of(cells.model, cells.x_um, Need::triangles);
+    Contacts contacts;
+    search.find(cells.model, cells.x_um, geometry, workers, contacts);
+    return contacts;
+}
+
+Contacts found_anew(const Cluster& cells, const ContactLaw& law) {
+    ContactSearch search(law, k_skin_um);
+    Workers workers(1);
+    return found(search, cells, workers);
+}
+
+Contacts brute_force(const Cluster& cells, const ContactLaw& law) {
+    return reference::contacts_of_all_pairs(
+        cells.model, cells.x_um, geometry_of(cells.model, cells.x_um, Need::triangles), law);
+}
+
+/// All bits of all pairs, and the way in which they are grouped.
+bool are_same_bits(const Contacts& p, const Contacts& q) {
+    static_assert(sizeof(ContactPair) == 2 * sizeof(int) + 23 * sizeof(double), "no padding");
+    const auto equal = [](const auto& a, const auto& b) {
+        return a.size() == b.size() &&
+               (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+    };
+    const auto equal_sides = [&] {
+        if (p.cell_sides.size() != q.cell_sides.size()) return false;
+        for (std::size_t s = 0; s < p.cell_sides.size(); ++s)
+            if (p.cell_sides[s].group != q.cell_sides[s].group ||
+                p.cell_sides[s].is_a != q.cell_sides[s].is_a)
+                return false;
+        return true;
+    };
+    return equal(p.pairs, q.pairs) && equal(p.groups, q.groups) &&
+           equal(p.cell_begin, q.cell_begin) && equal_sides();
+}
+
+/// Every node goes its own way, by up to `step_um` in each direction.
+void wander(Cluster& cells, std::uint64_t step, double step_um) {
+    const Random random(step, 33);
+    for (std::size_t i = 0; i < cells.x_um.size(); ++i)
+        for (std::uint32_t k = 0; k < 3; ++k)
+            cells.x_um[i][k] += step_um * (2.0 * random.uniform(i, k) - 1.0);
+}
+
+TEST(ContactSearch, FindsWhatAllPairsOfTrianglesGive) {
+    for (const double overlap_um : {-0.4, 0.2, 0.9}) {
+        const Cluster cells = make_cluster(162, 11, overlap_um, 0.05);
+        const Contacts contacts = found_anew(cells, k_law);
+        EXPECT_TRUE(are_same_bits(contacts, brute_force(cells, k_law)));
+        EXPECT_GT(contacts.pairs.size(), 10U) << "overlap " << overlap_um;
+    }
+}
+
+TEST(ContactSearch, FindsDeepContactsOfFineMeshesWithAShortRange) {
+    // Surfaces up to 1 um inside each other are contacts whatever h0 is; here that is five times 2 h0.
+    ContactLaw law = adhesive_law(0.5, 0.1, 2.0, 0.0);
+    for (const double overlap_um : {0.5, 0.8, 1.0, 1.1}) {
+        const Cluster cells = make_doublet(642, 5, 5.0, 5.0, overlap_um);
+        EXPECT_TRUE(are_same_bits(found_anew(cells, law), brute_force(cells, law)))
+            << "overlap " << overlap_um;
+    }
+}
+
+TEST(ContactSearch, DoesNotDependOnTheAgeOfItsLists) {
+    Cluster cells = make_cluster(42, 12, 0.2);
+    ContactSearch search(k_law, k_skin_um);
+    Workers workers(1);
+    constexpr int n_steps = 60;
+    for (int step = 0; step < n_steps; ++step) {
+        wander(cells, static_cast<std::uint64_t>(step), 0.02);
+        ASSERT_TRUE(are_same_bits(found(search, cells, workers), found_anew(cells, k_law)))
+            << "step " << step;
+    }
+    // The lists were old most of the time, and were made anew on the way.
+    EXPECT_GE(search.counts().list_builds, 3);
+    EXPECT_LE(search.counts().list_builds, n_steps / 3);
+}
+
+TEST(ContactSearch, BuildsItsListsAnewWhenANodeHasMovedHalfTheSkin) {
+    Cluster cells = make_cluster(42, 12, 0.2);
+    ContactSearch search(k_law, k_skin_um);
+    Workers workers(1);
+    static_cast<void>(found(search, cells, workers));
+    cells.x_um[50].x() += 0.49 * k_skin_um;
+    static_cast<void>(found(search, cells, workers));
+    EXPECT_EQ(search.counts().list_builds, 1);
+    cells.x_um[50].x() += 0.02 * k_skin_um;
+    static_cast<void>(found(search, cells, workers));
+    EXPECT_EQ(search.counts().list_builds, 2);
+}
+
+TEST(ContactSearch, GivesTheSameBitsOnAnyNumberOfThreads) {
+    const Cluster start = make_cluster(162, 13, 0.3, 0.05);
+    const Contacts expected = found_anew(start, k_law);
+    for (const int n_threads : {2, 3, 16}) {
+        Workers workers(n_threads);
+        ContactSearch search(k_law, k_skin_um);
+        EXPECT_TRUE(are_same_bits(found(search, start, workers), expected)) << n_threads;
+    }
+}
+
+TEST(ContactSearch, OrdersPairsByCellsAndTriangles) {
+    const Contacts contacts = found_anew(make_cluster(162, 14, 0.3), k_law);
+    ASSERT_EQ(contacts.groups.size(), 6U) << "every cell touches every other one";
+    int last_end = 0;
+    for (std::size_t g = 0; g < contacts.groups.size(); ++g) {
+        const Contacts::Group& group = contacts.groups[g];
+        EXPECT_LT(group.cell_a, group.cell_b);
+        EXPECT_EQ(group.begin, last_end);
+        last_end = group.end;
+        if (g > 0) {
+            const Contacts::Group& before = contacts.groups[g - 1];
+            EXPECT_LT(std::pair(before.cell_a, before.cell_b),
+                      std::pair(group.cell_a, group.cell_b));
+        }
+        const auto pairs = contacts.pairs_of(group);
+        for (std::size_t p = 1; p < pairs.size(); ++p)
+            EXPECT_LT(std::pair(pairs[p - 1].triangle_a, pairs[p - 1].triangle_b),
+                      std::pair(pairs[p].triangle_a, pairs[p].triangle_b));
+    }
+    EXPECT_EQ(last_end, static_cast<int>(contacts.pairs.size()));
+    for (int cell = 0; cell < 4; ++cell) {
+        ASSERT_EQ(contacts.sides_of(cell).size(), 3U);
+        for (const Contacts::Side& side : contacts.sides_of(cell)) {
+            const Contacts::Group& group = contacts.groups[static_cast<std::size_t>(side.group)];
+            EXPECT_EQ(side.is_a ? group.cell_a : group.cell_b, cell);
+        }
+    }
+}
+
+TEST(ContactSearch, CountsWhatItFindsAndWhatIsTooDeep) {
+    Workers workers(1);
+    {
+        const Cluster cells = make_cluster(162, 15, 0.3);
+        ContactSearch search(k_law, k_skin_um);
+        const auto n_pairs = static_cast<std::int64_t>(found(search, cells, workers).pairs.size());
+        EXPECT_EQ(search.counts().active_pairs, n_pairs);
+        EXPECT_GE(search.counts().candidates, n_pairs);
+        EXPECT_EQ(search.counts().too_deep, 0);
+        static_cast<void>(found(search, cells, workers));
+        EXPECT_EQ(search.counts().active_pairs, 2 * n_pairs);
+    }
+    {
+        // Far apart: nothing to look at.
+        ContactSearch search(k_law, k_skin_um);
+        EXPECT_TRUE(found(search, make_cluster(162, 15, -8.0), workers).pairs.empty());
+        EXPECT_EQ(search.counts().candidates, 0);
+    }
+    {
+        // Two micrometres in each other: the middle of the contact is deeper than 1 um.
+        ContactSearch search(k_law, k_skin_um);
+        EXPECT_FALSE(found(search, make_doublet(162, 3, 5.0, 5.0, 2.0), workers).pairs.empty());
+        EXPECT_GT(search.counts().too_deep, 0);
+    }
+}
+
+TEST(ContactSearch, RepulsionAloneHasNoTension) {
+    const Cluster cells = make_cluster(162, 16, 0.5);
+    const Contacts contacts = found_anew(cells, repulsive_law(5.0, 0.3, 0.0));
+    ASSERT_FALSE(contacts.pairs.empty());
+    for (const ContactPair& pair : contacts.pairs) {
+        EXPECT_GT(pair.force_nN, 0.0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_GE(pair.force_a_nN[i], -1e-15);
+            EXPECT_GE(pair.force_b_nN[i], -1e-15);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace spheroscope::test
