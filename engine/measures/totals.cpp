@@ -70,19 +70,26 @@ void add_stresses(const MeasureInput& input, Totals& totals) {
     }
     centre /= volume;
     totals.virial_defect = virial_size > 0.0 ? std::abs(virial) / virial_size : k_undefined;
+    totals.sigma_h_mean_kPa = virial / volume;
+    totals.sigma_h_size_kPa = virial_size / volume;
     totals.R_th_um = std::cbrt(3.0 * volume / (4.0 * std::numbers::pi));
     const double core_um =
         totals.R_th_um - 2.0 * radius_sum / static_cast<double>(geometry.volume_um3.size());
-    double core = 0.0, rim = 0.0;
+    double core = 0.0, rim = 0.0, core_virial = 0.0, core_volume = 0.0;
     int n_core = 0, n_rim = 0;
     for (std::size_t cell = 0; cell < geometry.volume_um3.size(); ++cell) {
         const double sigma_h = input.cell_stress_kPa[cell].trace() / 3.0;
         const bool is_core = (geometry.centre_um[cell] - centre).norm() < core_um;
         (is_core ? core : rim) += sigma_h;
         ++(is_core ? n_core : n_rim);
+        if (is_core) {
+            core_virial += geometry.volume_um3[cell] * sigma_h;
+            core_volume += geometry.volume_um3[cell];
+        }
     }
     totals.n_core_cells = n_core;
     totals.sigma_h_core_kPa = n_core > 0 ? core / n_core : k_undefined;
+    totals.sigma_h_core_by_volume_kPa = n_core > 0 ? core_virial / core_volume : k_undefined;
     totals.sigma_h_rim_kPa = n_rim > 0 ? rim / n_rim : k_undefined;
     // Fewer than three core cells are no plateau.
     const double scaled = n_core >= 3 ? totals.sigma_h_core_kPa * totals.R_th_um : k_undefined;
@@ -142,6 +149,9 @@ std::span<const TotalsRow> all_totals() {
         TotalsRow{"R_th", "um", "radius of the sphere with the volume of all cells", &Totals::R_th_um},
         TotalsRow{"eps_YL_omega", "1", "1 + sigma_h_core R_th / (2 omega), the paper's norm", &Totals::eps_YL_omega},
         TotalsRow{"eps_YL_W", "1", "1 + sigma_h_core R_th / W, from the work of adhesion", &Totals::eps_YL_W},
+        TotalsRow{"sigma_h_core_by_volume", "kPa", "the same, weighted by volume", &Totals::sigma_h_core_by_volume_kPa},
+        TotalsRow{"sigma_h_size", "kPa", "volume-weighted mean of |sigma_h|", &Totals::sigma_h_size_kPa},
+        TotalsRow{"sigma_h_mean", "kPa", "volume-weighted mean hydrostatic stress; 0 at rest", &Totals::sigma_h_mean_kPa},
         TotalsRow{"virial_defect", "1", "|sum V sigma_h| / sum V |sigma_h|; 0 at rest", &Totals::virial_defect},
         TotalsRow{"virial_identity", "1", "RMS of sigma_h minus its evaluation from inside, over RMS sigma_h", &Totals::virial_identity},
         TotalsRow{"mean_pressure", "kPa", "mean pressure of the cytosol", &Totals::mean_pressure_kPa},

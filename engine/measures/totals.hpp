@@ -18,6 +18,9 @@ struct Totals {
     double R_th_um;
     double eps_YL_omega;
     double eps_YL_W;
+    double sigma_h_core_by_volume_kPa;
+    double sigma_h_mean_kPa;
+    double sigma_h_size_kPa;
     double virial_defect;
     double virial_identity;
     double mean_pressure_kPa;

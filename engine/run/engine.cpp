@@ -123,7 +123,6 @@ RunResult Engine::run(const EngineSinks& sinks, const std::atomic<bool>& stop) {
         result_.verdict = run_.met_cap ? RunVerdict::cap : RunVerdict::finished;
         result_.outcome = run_.met_cap ? "cap" : std::string(name_of(run_.end));
         write_checkpoint();
-        result_.totals = measure();
     }
     result_.wall_s = wall_clock_s() - started_wall_s_;
     result_.work = system_->work();

@@ -9,14 +9,15 @@ namespace {
 
 constexpr double k_rest_speed_um_per_s = 1e-3;
 constexpr double k_virial_defect = 0.01;
+constexpr double k_no_stress = 1e-4;  // of the cells' own pressure: 0.01 Pa
 constexpr double k_window_s = 5.0;
 constexpr double k_change = 0.005;
 constexpr std::size_t k_row = 4;  // time, core sigma_h, Z, contact fraction
 
-/// Whether a number has moved by less than 0.5 % of itself; an undefined one does not move.
-bool is_steady(double before, double now) {
+/// Whether a number has moved by less than 0.5 % of its size; an undefined one does not move.
+bool is_steady(double before, double now, double size) {
     if (std::isnan(before) && std::isnan(now)) return true;
-    return std::abs(now - before) <= k_change * std::abs(now);
+    return std::abs(now - before) <= k_change * size;
 }
 
 }  // namespace
@@ -50,9 +51,19 @@ StageEnd Relaxation::after_measure(StageContext& context, const Totals& totals) 
         samples.erase(samples.begin(), samples.begin() + k_row);
     if (context.state.time_s - samples[0] < k_window_s * (1.0 - 1e-9)) return StageEnd::none;
 
-    for (std::size_t k = 1; k < k_row; ++k)
-        if (!is_steady(samples[k], row[k])) return StageEnd::none;
-    if (!std::isnan(totals.virial_defect) && !(totals.virial_defect < k_virial_defect))
+    // The core's mean is a difference of cells under tension and compression; where it nearly cancels,
+    // 0.5 % of itself is below what any cell's stress can be steady to. Then the mean |sigma_h| is its size.
+    const double core_size =
+        std::fmax(std::abs(totals.sigma_h_core_kPa), totals.sigma_h_size_kPa);
+    if (!is_steady(samples[1], row[1], core_size) ||
+        !is_steady(samples[2], row[2], std::abs(row[2])) ||
+        !is_steady(samples[3], row[3], std::abs(row[3])))
+        return StageEnd::none;
+    // Where every sigma_h is zero (two equal cells), the defect is 0/0: then the mean itself decides.
+    const bool no_stress =
+        std::abs(totals.sigma_h_mean_kPa) < k_no_stress * totals.mean_pressure_kPa;
+    if (!std::isnan(totals.virial_defect) && !(totals.virial_defect < k_virial_defect) &&
+        !no_stress)
         return StageEnd::none;
     if (totals.normal_speed_rms_um_per_s < k_rest_speed_um_per_s) return StageEnd::rest;
     return parameters_.until == scene::Until::stationary ? StageEnd::stationary : StageEnd::none;
