@@ -51,6 +51,7 @@ void add_contacts(const MeasureInput& input, Totals& totals) {
         if (pair.area_um2 > input.touching_area_um2) ++n_links;
     }
     for (const double area_um2 : at.geometry.area_um2) surface_um2 += area_um2;
+    totals.contact_area_um2 = contact_um2;
     totals.contact_fraction = 2.0 * contact_um2 / surface_um2;
     totals.coordination_Z = 2.0 * n_links / at.model.n_cells();
 }
@@ -110,6 +111,13 @@ void add_speeds(const MeasureInput& input, Totals& totals) {
     totals.normal_speed_rms_um_per_s =
         std::sqrt(normal2 / static_cast<double>(input.v_um_per_s.size()));
     totals.tangential_speed_max_um_per_s = std::sqrt(tangential2_max);
+    totals.cell_speed_max_um_per_s = 0.0;
+    for (int cell = 0; cell < input.at.model.n_cells(); ++cell) {
+        Vec3 sum = Vec3::Zero();
+        for (const Vec3& v : input.at.model.cell_nodes(input.v_um_per_s, cell)) sum += v;
+        totals.cell_speed_max_um_per_s = std::max(totals.cell_speed_max_um_per_s,
+                                                  sum.norm() / input.at.model.n_nodes());
+    }
 }
 
 }  // namespace
@@ -141,6 +149,7 @@ Totals compute_totals(const MeasureInput& input) {
 
 std::span<const TotalsRow> all_totals() {
     static const std::array rows{
+        TotalsRow{"contact_area", "um^2", "sum of the contact areas, each pair of triangles once", &Totals::contact_area_um2},
         TotalsRow{"contact_fraction", "1", "share of the surface in contact", &Totals::contact_fraction},
         TotalsRow{"coordination_Z", "1", "mean number of touching cells", &Totals::coordination_Z},
         TotalsRow{"sigma_h_core", "kPa", "mean hydrostatic stress of core cells", &Totals::sigma_h_core_kPa},
@@ -161,6 +170,7 @@ std::span<const TotalsRow> all_totals() {
         TotalsRow{"n_folds", "1", "edges whose triangles turn by more than 120 degrees", &Totals::n_folds},
         TotalsRow{"normal_speed_rms", "um/s", "RMS of the nodes' speed along their normals", &Totals::normal_speed_rms_um_per_s},
         TotalsRow{"tangential_speed_max", "um/s", "largest speed of a node along the surface", &Totals::tangential_speed_max_um_per_s},
+        TotalsRow{"cell_speed_max", "um/s", "largest speed of a cell, the mean of its nodes", &Totals::cell_speed_max_um_per_s},
         TotalsRow{"energy", "fJ", "stored energy", &Totals::energy_fJ},
         TotalsRow{"dissipation", "nN um/s", "v . Gamma v", &Totals::dissipation_nN_um_per_s},
         TotalsRow{"power_residual", "1", "(change of energy + dissipation - driving work) / dissipation since the last output", &Totals::power_residual},

@@ -10,6 +10,7 @@ struct MeasureInput;
 
 /// Numbers of the whole aggregate at one time; NaN where undefined (then shown as 'undefined').
 struct Totals {
+    double contact_area_um2;
     double contact_fraction;
     double coordination_Z;
     double sigma_h_core_kPa;
@@ -30,6 +31,7 @@ struct Totals {
     int n_folds;
     double normal_speed_rms_um_per_s;
     double tangential_speed_max_um_per_s;
+    double cell_speed_max_um_per_s;
     double energy_fJ;
     double dissipation_nN_um_per_s;
     double power_residual;
