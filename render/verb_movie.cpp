@@ -101,9 +101,13 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
     outcome.document["movies"] = nlohmann::json::array();
     std::string run_file = arguments.input;
     fs::path folder;
+    std::vector<scene::Picture> pictures;
+    bool is_drawn = true;
     if (is_run_file(arguments.input)) {
         folder = arguments.common.output.empty() ? fs::path(arguments.input).parent_path()
                                                  : fs::path(arguments.common.output);
+        pictures = choose(pictures_of(RunFileReader(run_file), arguments.common),
+                          arguments.picture);
     } else {
         const scene::Scene scene =
             scene::load_scene(arguments.input, arguments.common.overrides());
@@ -111,7 +115,7 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
         if (scene.pictures.empty())
             throw Error(Loc{arguments.input, 0, 0}, "a movie needs at least one [[picture]]",
                         "`run` simulates without pictures");
-        static_cast<void>(choose(scene.pictures, arguments.picture));
+        pictures = choose(scene.pictures, arguments.picture);
         const cli::RunPlace place = cli::run_place(arguments.input, arguments.common);
         folder = place.folder;
         run_file = place.run_file();
@@ -124,14 +128,17 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
             outcome.document["run"] = cli::summary_json(summary, place);
             outcome.text += cli::summary_text(summary, place);
             if (!summary.result.message.empty()) spdlog::error("{}", summary.result.message);
+            // A run that will go on later has no movie yet; one that became unstable has.
+            const RunVerdict verdict = summary.result.verdict;
+            is_drawn = verdict == RunVerdict::finished || verdict == RunVerdict::cap ||
+                       verdict == RunVerdict::unstable;
         }
     }
-    const bool was_stopped =
-        outcome.code == ExitCode::interrupted || outcome.code == ExitCode::terminated;
-    const RunFileReader reader(run_file);
-    if (!was_stopped && reader.n_frames() > 0)
-        draw(reader, choose(pictures_of(reader, arguments.common), arguments.picture), folder,
-             arguments.common.quiet, outcome);
+    if (is_drawn) {
+        const RunFileReader reader(run_file);
+        if (reader.n_frames() > 0)
+            draw(reader, pictures, folder, arguments.common.quiet, outcome);
+    }
     if (arguments.common.json) cli::print_json(outcome.document);
     else fmt::print("{}", outcome.text);
     return outcome.code;
@@ -154,7 +161,8 @@ cli::Verb movie_verb() {
                     command, arguments->common,
                     {CommonOption::output, CommonOption::threads, CommonOption::seed,
                      CommonOption::set, CommonOption::json, CommonOption::quiet,
-                     CommonOption::resume, CommonOption::time_limit});
+                     CommonOption::resume, CommonOption::time_limit,
+                     CommonOption::checkpoint_every});
                 return [arguments](const cli::Invocation& invocation) {
                     return movie(*arguments, invocation);
                 };

@@ -16,7 +16,10 @@ void add_common_option(CLI::App& command, CommonOptions& options, CommonOption w
     switch (wanted) {
     case CommonOption::output:
         command.add_option("-o,--output", options.output, "file or folder to write")
-            ->type_name("PATH");
+            ->type_name("PATH")
+            ->check([](const std::string& path) {
+                return path.empty() ? std::string("wanted a name, got nothing") : std::string();
+            });
         return;
     case CommonOption::threads:
         command.add_option("--threads", options.threads, "threads to compute with (default: all)")
@@ -52,7 +55,26 @@ void add_common_option(CLI::App& command, CommonOptions& options, CommonOption w
                         "stop with a checkpoint after this time, for instance '90 s' or '2 h'")
             ->type_name("TIME");
         return;
+    case CommonOption::checkpoint_every:
+        command
+            .add_option("--checkpoint-every", options.checkpoint_every,
+                        "time between two checkpoints (default: 10 s); a run that is killed "
+                        "loses no more than this")
+            ->type_name("TIME");
+        return;
     }
+}
+
+/// A span of wall time; none when the option was not given.
+std::optional<double> positive_time_s(const std::string& option, const std::string& text,
+                                      const std::string& example) {
+    if (text.empty()) return std::nullopt;
+    const scene::Quantity time = scene::parse_quantity(text, scene::Dimension::time);
+    if (!time.ok() || !(time.value > 0.0))
+        throw Error(
+            fmt::format("{} wants a time above zero, got \"{}\" {}", option, text, time.problem),
+            fmt::format("for instance {} '{}'", option, example));
+    return time.value;
 }
 
 }  // namespace
@@ -77,13 +99,11 @@ int CommonOptions::n_threads() const {
 }
 
 std::optional<double> CommonOptions::time_limit_s() const {
-    if (time_limit.empty()) return std::nullopt;
-    const scene::Quantity limit = scene::parse_quantity(time_limit, scene::Dimension::time);
-    if (!limit.ok() || !(limit.value > 0.0))
-        throw Error(fmt::format("--time-limit wants a time above zero, got \"{}\" {}", time_limit,
-                                limit.problem),
-                    "for instance --time-limit '20 min'");
-    return limit.value;
+    return positive_time_s("--time-limit", time_limit, "20 min");
+}
+
+std::optional<double> CommonOptions::checkpoint_every_s() const {
+    return positive_time_s("--checkpoint-every", checkpoint_every, "1 min");
 }
 
 void add_common_options(CLI::App& command, CommonOptions& options,

@@ -15,7 +15,17 @@ class App;
 namespace spheroscope::cli {
 
 /// The options that several verbs share. A verb takes some of them; all mean the same everywhere.
-enum class CommonOption { output, threads, seed, set, json, quiet, resume, time_limit };
+enum class CommonOption {
+    output,
+    threads,
+    seed,
+    set,
+    json,
+    quiet,
+    resume,
+    time_limit,
+    checkpoint_every
+};
 
 struct CommonOptions {
     std::string output;                 ///< file or folder to write; empty: the verb's own choice
@@ -26,6 +36,7 @@ struct CommonOptions {
     bool quiet = false;                 ///< no progress, no information; warnings and errors only
     bool resume = false;                ///< go on from the last checkpoint
     std::string time_limit;             ///< as given, "20 min"; empty: none
+    std::string checkpoint_every;       ///< as given, "10 s"; empty: the engine's own choice
 
     /// What --set and --seed change in the scene; the seed last, so that it wins. Throws Error when
     /// one is not of the form key=value.
@@ -37,6 +48,9 @@ struct CommonOptions {
     /// --time-limit in seconds of wall time; none when not given. Throws Error when it is not a
     /// positive time.
     [[nodiscard]] std::optional<double> time_limit_s() const;
+
+    /// --checkpoint-every in seconds of wall time, in the same way.
+    [[nodiscard]] std::optional<double> checkpoint_every_s() const;
 };
 
 /// Declares the wanted options on a verb's command line; `options` must live until it is read.

@@ -25,8 +25,8 @@ std::string help_text(std::span<const Verb> verbs) {
             "  --help    this text; after a verb: its arguments\n"
             "  --version version and commit\n\n"
             "Exit codes: 0 ok, 1 internal error, 2 wrong command line or scene, 3 unstable or not\n"
-            "converged, 4 differs, 5 something outside the program is missing (OpenGL, ffmpeg),\n"
-            "130 and 143 after a signal, with a checkpoint.\n";
+            "converged in the time it had, 4 differs, 5 something outside the program is missing\n"
+            "(OpenGL, ffmpeg, disk space), 130 and 143 after a signal, with a checkpoint.\n";
     return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/store_thread.hpp"
 #include "engine/cli/totals_text.hpp"
 #include "engine/cli/version.hpp"
 #include "engine/run/channels.hpp"
@@ -13,10 +14,10 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
-#include <condition_variable>
+#include <exception>
 #include <filesystem>
 #include <limits>
-#include <mutex>
+#include <memory>
 #include <optional>
 #include <thread>
 
@@ -28,90 +29,72 @@ namespace fs = std::filesystem;
 /// Frames that the store may be behind the engine.
 constexpr int k_queue_capacity = 8;
 
-/// The store's thread: writes every frame, and tells how many are on the disk. HDF5 is not thread-safe, so
-/// whoever else wants to use it (the checkpoint) holds the same lock.
-class StoreThread {
-  public:
-    StoreThread(RunFileWriter writer, FrameQueue::Reader reader)
-        : writer_(std::move(writer)), n_written_(writer_.n_frames()),
-          thread_([this, r = std::move(reader)]() mutable { write_all(r); }) {}
-    ~StoreThread() { join(); }
-    StoreThread(const StoreThread&) = delete;
-    StoreThread& operator=(const StoreThread&) = delete;
-
-    void join() {
-        if (thread_.joinable()) thread_.join();
-    }
-    /// Waits for `n_frames` frames on the disk, then calls f with HDF5 to itself. False: the store failed.
-    template <class F> bool when_written(int n_frames, const F& f) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return n_written_ >= n_frames || has_failed_; });
-        if (has_failed_) return false;
-        f();
-        return true;
-    }
-    /// After join().
-    void finish(const RunEnd& end) { writer_.finish(end); }
-    [[nodiscard]] bool has_failed() const { return has_failed_; }
-    [[nodiscard]] SnapshotPtr last() const { return last_; }
-
-  private:
-    void write_all(FrameQueue::Reader& reader) {
-        while (SnapshotPtr frame = reader.next()) {
-            const std::unique_lock lock(mutex_);
-            try {
-                writer_.write(*frame);
-                ++n_written_;
-                last_ = std::move(frame);
-            } catch (const Error& error) {
-                has_failed_ = true;
-                reader.fail(error.what());
-                changed_.notify_all();
-                return;
-            }
-            changed_.notify_all();
-        }
-    }
-
-    RunFileWriter writer_;
-    int n_written_;
-    bool has_failed_ = false;
-    SnapshotPtr last_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::thread thread_;  // last: it starts when all else is there
-};
-
 /// Cells of a frame of an earlier run, for `arrangement = "file"`.
 std::optional<GivenCells> given_cells(const scene::Scene& scene) {
     if (scene.cells.arrangement != scene::Arrangement::file) return {};
     const fs::path path = fs::path(scene.file).parent_path() / scene.cells.file;
-    const RunFileReader reader(path.string());
-    const int frame = scene.cells.frame < 0 ? reader.n_frames() - 1 : scene.cells.frame;
-    const SnapshotPtr snapshot = reader.frame(frame);
-    GivenCells given;
-    given.n_nodes = reader.header()->topology->n_nodes();
-    for (const float r : reader.header()->radius_um) given.radius_um.push_back(double{r});
-    for (std::size_t i = 0; i + 2 < snapshot->x_um.size(); i += 3)
-        given.x_um.emplace_back(double{snapshot->x_um[i]}, double{snapshot->x_um[i + 1]},
-                                double{snapshot->x_um[i + 2]});
-    return given;
+    try {
+        const RunFileReader reader(path.string());
+        const int frame = scene.cells.frame < 0 ? reader.n_frames() - 1 : scene.cells.frame;
+        const SnapshotPtr snapshot = reader.frame(frame);
+        GivenCells given;
+        given.n_nodes = reader.header()->topology->n_nodes();
+        for (const float r : reader.header()->radius_um) given.radius_um.push_back(double{r});
+        for (std::size_t i = 0; i + 2 < snapshot->x_um.size(); i += 3)
+            given.x_um.emplace_back(double{snapshot->x_um[i]}, double{snapshot->x_um[i + 1]},
+                                    double{snapshot->x_um[i + 2]});
+        return given;
+    } catch (const Error& error) {
+        throw Error(scene.cells.loc,
+                    "cells.file: no cells can be had from this run\n  " + std::string(error.what()),
+                    "", error.code());
+    }
 }
 
-/// The checkpoint to go on from; none: begin anew. Throws if that would overwrite an unfinished run.
-std::optional<RunState> start_point(const RunPlace& place, bool resume, bool overwrite) {
-    const bool has_checkpoint = fs::exists(checkpoint_path(place.run_file())) ||
-                                fs::exists(older_checkpoint_path(place.run_file()));
-    const bool has_run = fs::exists(place.run_file());
-    if (resume && has_checkpoint) {
-        const LoadedCheckpoint loaded = read_newest_checkpoint(place.run_file());
-        if (!loaded.note.empty()) spdlog::warn("{}", loaded.note);
-        return load_run_state(loaded.data);
+/// Where a run begins, and what becomes of a file that is there.
+struct StartPoint {
+    std::optional<RunState> state;  ///< of the newest checkpoint; none: the scene's own start
+    bool continues_file = false;    ///< the file's frames before `state` are kept
+    bool is_over = false;           ///< the file holds the finished run of this scene
+};
+
+StartPoint point_to_resume(const RunPlace& place, const RunHeader& header) {
+    const std::string file = place.run_file();
+    const bool has_checkpoint =
+        fs::exists(checkpoint_path(file)) || fs::exists(older_checkpoint_path(file));
+    if (!fs::exists(file)) {
+        if (has_checkpoint)
+            throw Error(file + ": there is a checkpoint, but the run that it belongs to is gone",
+                        "without --resume the run begins anew");
+        spdlog::info("{}: there is nothing to go on from; the run begins", file);
+        return {};
     }
-    if (resume && has_run)
-        throw Error(place.run_file() + ": there is no checkpoint to go on from",
-                    "begin anew with --overwrite");
-    if (has_run && !overwrite && has_checkpoint) {
+    StartPoint start{.state = {}, .continues_file = true};
+    const RunFileReader reader(file);
+    if (reader.is_complete()) {
+        if (reader.header()->resolved_scene != header.resolved_scene)
+            throw Error(file + ": this is the finished run of another scene or seed",
+                        "--overwrite replaces it, -o writes elsewhere");
+        start.is_over = true;
+    }
+    if (has_checkpoint) {
+        const LoadedCheckpoint loaded = read_newest_checkpoint(file);
+        if (!loaded.note.empty()) spdlog::warn("{}", loaded.note);
+        start.state = load_run_state(loaded.data);
+    } else if (!start.is_over) {
+        spdlog::info("{}: stopped before its first checkpoint; the run begins anew", file);
+    }
+    return start;
+}
+
+/// Throws if the run cannot begin there, or would overwrite an unfinished one.
+StartPoint start_point(const RunPlace& place, const RunHeader& header, bool resume,
+                       bool overwrite) {
+    if (resume && overwrite)
+        throw Error("--resume and --overwrite exclude each other",
+                    "--resume goes on with what is there, --overwrite begins anew");
+    if (resume) return point_to_resume(place, header);
+    if (fs::exists(place.run_file()) && !overwrite) {
         const RunFileReader reader(place.run_file());
         if (!reader.is_complete())
             throw Error(place.run_file() + ": an unfinished run is there",
@@ -120,20 +103,52 @@ std::optional<RunState> start_point(const RunPlace& place, bool resume, bool ove
     return {};
 }
 
-ExitCode exit_code(const RunResult& result, const std::vector<Expectation>& expectations) {
-    switch (result.verdict) {
+bool is_over(RunVerdict verdict) {
+    return verdict == RunVerdict::finished || verdict == RunVerdict::cap;
+}
+
+ExitCode exit_code(const SimulationSummary& summary, ExitCode store_failure) {
+    switch (summary.result.verdict) {
     case RunVerdict::finished:
-        for (const Expectation& row : expectations)
+        for (const Expectation& row : summary.expectations)
             if (!row.met) return ExitCode::differs;
         return ExitCode::ok;
     case RunVerdict::stopped:
         return interrupt_signal() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
-    case RunVerdict::sink_failed: return ExitCode::usage;
+    case RunVerdict::sink_failed: return store_failure;
     case RunVerdict::cap:
     case RunVerdict::time_limit:
     case RunVerdict::unstable: return ExitCode::not_converged;
     }
     return ExitCode::internal;
+}
+
+/// What the last frame of a file tells about a run of which this process has written no frame.
+void take_from_file(const RunFileReader& reader, const scene::Scene& scene,
+                    SimulationSummary& summary) {
+    if (reader.n_frames() == 0) return;
+    const SnapshotPtr last = reader.frame(reader.n_frames() - 1);
+    summary.result.totals = last->totals;
+    summary.result.time_s = last->time_s;
+    summary.result.work.steps = last->diagnostics.steps;
+    summary.result.work.rejected_steps = last->diagnostics.rejected_steps;
+    if (is_over(summary.result.verdict)) summary.expectations = check_expectations(scene, *last);
+}
+
+SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene& scene,
+                                      const Engine& engine) {
+    const RunFileReader reader(place.run_file());
+    SimulationSummary summary;
+    RunResult& result = summary.result;
+    result.outcome = reader.outcome();
+    result.verdict = result.outcome == name_of(StageEnd::cap) ? RunVerdict::cap
+                                                              : RunVerdict::finished;
+    result.wall_s = reader.end().wall_time_s;
+    result.frames = reader.n_frames();
+    result.state_hash = engine.state().state.hash();
+    take_from_file(reader, scene, summary);
+    summary.code = exit_code(summary, ExitCode::ok);
+    return summary;
 }
 
 }  // namespace
@@ -152,6 +167,8 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     engine_options.version = version_text();
     engine_options.command_line = invocation.command_line;
     engine_options.wall_limit_s = options.time_limit_s().value_or(0.0);
+    engine_options.checkpoint_every_wall_s =
+        options.checkpoint_every_s().value_or(engine_options.checkpoint_every_wall_s);
     Engine engine(scene, engine_options, given_cells(scene));
 
     std::error_code failed;
@@ -159,16 +176,25 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     if (failed)
         throw Error(place.folder + ": cannot make this folder (" + failed.message() + ")",
                     "choose another one with -o");
-    const std::optional<RunState> start = start_point(place, options.resume, overwrite);
-    if (start) engine.resume(*start);
-    else remove_checkpoints(place.run_file());
+    const StartPoint start = start_point(place, *engine.header(), options.resume, overwrite);
+    if (start.state) engine.resume(*start.state);
+    if (start.is_over) {
+        spdlog::info("{}: this run is finished; nothing is left to do", place.run_file());
+        return summary_of_finished(place, scene, engine);
+    }
+    if (!start.continues_file) remove_checkpoints(place.run_file());
 
     const InterruptGuard interrupts;
     FrameQueue queue(k_queue_capacity);
-    StoreThread store(start ? RunFileWriter::append(place.run_file(), *engine.header(), start->frames)
-                            : RunFileWriter::create(place.run_file(), *engine.header(),
-                                                    RunFileWriter::Existing::replace),
-                      queue.add_reader("store"));
+    StoreThread store(
+        start.continues_file
+            ? RunFileWriter::append(place.run_file(), *engine.header(), engine.state().frames)
+            : RunFileWriter::create(place.run_file(), *engine.header(),
+                                    RunFileWriter::Existing::replace),
+        queue.add_reader("store"));
+    // However this function is left, the store sees the end of its frames before it is joined.
+    const std::unique_ptr<FrameQueue, void (*)(FrameQueue*)> close_at_end(
+        &queue, [](FrameQueue* q) { q->close(); });
     Progress progress(progress_style(options.quiet));
     EngineSinks sinks;
     sinks.frame = [&](SnapshotPtr frame) { return queue.push(std::move(frame)); };
@@ -177,38 +203,44 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
                            [&] { write_checkpoint(place.run_file(), data); });
     };
     sinks.progress = [&](const RunProgress& p) {
-        progress.update({std::string(p.stage_name), p.stage_progress, p.time_s, p.dt_s});
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        progress.update({std::string(p.stage_name), p.stage_progress, p.time_s,
+                         p.dt_s > 0.0 ? p.dt_s : none});
     };
 
     SimulationSummary summary;
-    std::optional<Error> trouble;
+    std::exception_ptr trouble;
     std::thread engine_thread([&] {
         try {
             summary.result = engine.run(sinks, interrupts.stop());
-        } catch (const Error& error) {
-            trouble = error;
+        } catch (...) {
+            trouble = std::current_exception();
         }
         queue.close();
     });
     engine_thread.join();
     store.join();
     progress.clear();
-    if (trouble) throw *trouble;
+    if (trouble) std::rethrow_exception(trouble);
+    RunResult& result = summary.result;
     // The last frame may fail after the last push.
-    if (const auto reason = queue.failure(); reason && summary.result.message.empty()) {
-        summary.result.verdict = RunVerdict::sink_failed;
-        summary.result.outcome = "stopped";
-        summary.result.message = *reason;
+    if (const auto reason = queue.failure(); reason && result.verdict != RunVerdict::sink_failed) {
+        result.verdict = RunVerdict::sink_failed;
+        result.outcome = "stopped";
+        result.message = *reason;
     }
     if (!store.has_failed()) {
-        const bool over = summary.result.verdict == RunVerdict::finished ||
-                          summary.result.verdict == RunVerdict::cap;
-        store.finish({over, summary.result.outcome, summary.result.wall_s});
-        write_xdmf(RunFileReader(place.run_file()));
-        if (over && store.last())
+        store.finish({is_over(result.verdict), result.outcome, result.wall_s});
+        const RunFileReader reader(place.run_file());
+        write_xdmf(reader);
+        if (!store.last()) take_from_file(reader, scene, summary);
+        else if (is_over(result.verdict))
             summary.expectations = check_expectations(scene, *store.last());
     }
-    summary.code = exit_code(summary.result, summary.expectations);
+    if (result.verdict == RunVerdict::unstable && fs::exists(checkpoint_path(place.run_file())))
+        result.message += "\n  hint: the last good state is in " +
+                          checkpoint_path(place.run_file());
+    summary.code = exit_code(summary, store.failure());
     return summary;
 }
 

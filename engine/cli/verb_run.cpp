@@ -42,7 +42,8 @@ Verb run_verb() {
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::threads, CommonOption::seed,
                                     CommonOption::set, CommonOption::json, CommonOption::quiet,
-                                    CommonOption::resume, CommonOption::time_limit});
+                                    CommonOption::resume, CommonOption::time_limit,
+                                    CommonOption::checkpoint_every});
                 return [arguments](const Invocation& invocation) {
                     return run(*arguments, invocation);
                 };

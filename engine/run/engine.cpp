@@ -337,10 +337,11 @@ Engine::Next Engine::between_steps(double progress) {
     const double now_s = wall_clock_s();
     const bool limit_met =
         options_.wall_limit_s > 0.0 && now_s - started_wall_s_ >= options_.wall_limit_s;
-    if (stop_->load() || limit_met) {
+    const bool is_stopped = stop_->load();
+    if (is_stopped || limit_met) {
         write_checkpoint();
-        result_.verdict = stop_->load() ? RunVerdict::stopped : RunVerdict::time_limit;
-        result_.outcome = stop_->load() ? "stopped" : "time limit";
+        result_.verdict = is_stopped ? RunVerdict::stopped : RunVerdict::time_limit;
+        result_.outcome = is_stopped ? "stopped" : "time limit";
         return Next::stop;
     }
     if (now_s - checkpointed_wall_s_ >= options_.checkpoint_every_wall_s) write_checkpoint();
