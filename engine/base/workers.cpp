@@ -24,22 +24,21 @@ void Workers::thread_main(int index) {
         gate_.arrive_and_wait();
         if (stop_) return;
         Member member(this, index);
-        (*job_)(member);
+        job_.call(job_.function, member);
         gate_.arrive_and_wait();
     }
 }
 
-void Workers::region(const std::function<void(Member&)>& f) {
+void Workers::run_job(const Job& job) {
     Member self(this, 0);
     if (n_threads_ == 1) {
-        f(self);
+        job.call(job.function, self);
         return;
     }
-    job_ = &f;
+    job_ = job;
     gate_.arrive_and_wait();
-    f(self);
+    job.call(job.function, self);
     gate_.arrive_and_wait();
-    job_ = nullptr;
 }
 
 std::vector<std::int64_t> Workers::items_done() const {

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <barrier>
 #include <cstdint>
-#include <functional>
 #include <thread>
 #include <vector>
 
@@ -44,8 +43,14 @@ class Workers {
         int index_;
     };
 
-    /// Runs f on every member; returns when all are done. f must not throw.
-    void region(const std::function<void(Member&)>& f);
+    /// Runs f on every member; returns when all are done. f must not throw. Nothing is copied: a region
+    /// allocates no memory.
+    template <class F> void region(const F& f) {
+        run_job({[](const void* function, Member& member) {
+                     (*static_cast<const F*>(function))(member);
+                 },
+                 &f});
+    }
 
     /// Calls f(item) for the items 0..n_items-1, each by whichever member is free next.
     template <class F> void loop(int n_items, const F& f) {
@@ -63,6 +68,12 @@ class Workers {
     struct alignas(64) Counter {
         std::int64_t count = 0;
     };
+    /// A function of the caller, which outlives the region.
+    struct Job {
+        void (*call)(const void* function, Member& member) = nullptr;
+        const void* function = nullptr;
+    };
+    void run_job(const Job& job);
     [[nodiscard]] int next_ticket() { return ticket_.fetch_add(1, std::memory_order_relaxed); }
     void thread_main(int index);
 
@@ -70,7 +81,7 @@ class Workers {
     std::atomic<int> ticket_{0};
     std::barrier<> inside_;  // between the phases of a region
     std::barrier<> gate_;    // start and end of a region
-    const std::function<void(Member&)>* job_ = nullptr;
+    Job job_;
     bool stop_ = false;
     std::vector<Counter> items_done_;
     std::vector<std::thread> threads_;

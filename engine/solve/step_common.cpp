@@ -24,7 +24,9 @@ void describe_powers(System& system, const State& state, bool freeze_volume_inte
     VelocitySystem gamma = system.velocity_system(0.0, system.volume_friction());
     gamma.stiffness = {};
     const Model& model = system.model();
-    std::vector<double> per_cell(model.radius_um.size(), 0.0);
+    thread_local std::vector<double> kept;
+    std::vector<double>& per_cell = kept;  // this thread's, whoever computes the cells
+    per_cell.assign(model.radius_um.size(), 0.0);
     system.workers().loop(gamma.n_groups(),
                           [&](int group) { gamma.product_of_group(group, v_um_per_s); });
     system.workers().loop(model.n_cells(), [&](int cell) {
