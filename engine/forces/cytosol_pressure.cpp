@@ -9,7 +9,7 @@ namespace spheroscope {
 
 CytosolPressure::CytosolPressure(Loc loc, const CytosolPressureParameters& parameters)
     : ForceTerm(std::move(loc)), parameters_(parameters) {
-    want_positive(this->loc(), "cytosol.K", parameters_.K_kPa, "kPa");
+    want_not_negative(this->loc(), "cytosol.K", parameters_.K_kPa, "kPa");
     if (!std::isinf(parameters_.T_I_s))
         want_positive(this->loc(), "cytosol.T_I", parameters_.T_I_s, "s");
     want_not_negative(this->loc(), "cytosol.T_d", parameters_.T_d_s, "s");

@@ -31,7 +31,7 @@ struct CytosolPressureParameters {
 /// cell.
 class CytosolPressure final : public ForceTerm {
   public:
-    /// Throws Error unless K > 0, T_I > 0, T_d >= 0 and the others are finite.
+    /// Throws Error unless K >= 0, T_I > 0, T_d >= 0 and the others are finite.
     CytosolPressure(Loc loc, const CytosolPressureParameters& parameters);
 
     [[nodiscard]] std::string_view name() const override { return "cytosol"; }
