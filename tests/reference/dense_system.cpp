@@ -167,6 +167,8 @@ MatrixXd dense_product(const VelocitySystem& system, Workers& workers) {
     return matrix;
 }
 
+double largest(const MatrixXd& matrix) { return matrix.cwiseAbs().maxCoeff(); }
+
 Eigen::VectorXd flat(std::span<const Vec3> vectors) {
     Eigen::VectorXd values(static_cast<Index>(3 * vectors.size()));
     for (std::size_t i = 0; i < vectors.size(); ++i)

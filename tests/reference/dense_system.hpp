@@ -33,6 +33,9 @@ namespace spheroscope::reference {
 /// The matrix behind a product, column by column.
 [[nodiscard]] Eigen::MatrixXd dense_product(const VelocitySystem& system, Workers& workers);
 
+/// Largest absolute entry.
+[[nodiscard]] double largest(const Eigen::MatrixXd& matrix);
+
 [[nodiscard]] Eigen::VectorXd flat(std::span<const Vec3> vectors);
 [[nodiscard]] std::vector<Vec3> unflat(const Eigen::VectorXd& values);
 
