@@ -71,6 +71,8 @@ void ContactOperator::product_of_group(int g, const Model& model, double dt_s,
     for (std::size_t i = 0; i < group.nodes_b.size(); ++i)
         group.u[n_a + i] = u_b[idx(group.nodes_b[i])];
     std::fill(group.y.begin(), group.y.end(), Vec3::Zero());
+    const bool has_normal_extra =
+        friction_ && friction_->normal_kPa_s_per_um != friction_->tangential_kPa_s_per_um;
     for (const Element& e : group.elements) {
         const std::array<Vec3, 3> a{group.u[e.a[0]], group.u[e.a[1]], group.u[e.a[2]]};
         const std::array<Vec3, 3> b{group.u[n_a + e.b[0]], group.u[n_a + e.b[1]],
@@ -82,13 +84,15 @@ void ContactOperator::product_of_group(int g, const Model& model, double dt_s,
         // Stiffness: k S n n^T on the relative displacement at the polygon's centroid.
         const Vec3 relative = l[0] * a[0] + l[1] * a[1] + l[2] * a[2] -
                               (m[0] * b[0] + m[1] * b[1] + m[2] * b[2]);
-        const double spring = dt_s * e.stiffness * e.normal.dot(relative);
+        const Vec3 spring = (dt_s * e.stiffness * e.normal.dot(relative)) * e.normal;
         for (std::size_t i = 0; i < 3; ++i) {
-            group.y[e.a[i]] += e.tangential * y_a[i] +
-                               (e.normal_extra * e.normal.dot(y_a[i]) + spring * l[i]) * e.normal;
-            group.y[n_a + e.b[i]] +=
-                e.tangential * y_b[i] +
-                (e.normal_extra * e.normal.dot(y_b[i]) - spring * m[i]) * e.normal;
+            group.y[e.a[i]] += e.tangential * y_a[i] + l[i] * spring;
+            group.y[n_a + e.b[i]] += e.tangential * y_b[i] - m[i] * spring;
+        }
+        if (!has_normal_extra) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            group.y[e.a[i]] += (e.normal_extra * e.normal.dot(y_a[i])) * e.normal;
+            group.y[n_a + e.b[i]] += (e.normal_extra * e.normal.dot(y_b[i])) * e.normal;
         }
     }
 }
