@@ -1,16 +1,21 @@
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/options.hpp"
 #include "engine/cli/verb.hpp"
+#include "engine/run/expectations.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/stages/build.hpp"
+#include "engine/stages/choices.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace spheroscope::cli {
 namespace {
@@ -30,6 +35,7 @@ std::optional<int> n_cells(const scene::Cells& cells) {
 struct CheckArguments {
     std::string scene;
     bool print_config = false;
+    bool explain = false;
     CommonOptions common;
 };
 
@@ -44,6 +50,38 @@ nlohmann::json describe(const scene::Scene& scene) {
             {"stages", scene.stages.size()},
             {"warnings", scene.warnings},
             {"resolved", scene.resolved_toml}};
+}
+
+nlohmann::json describe(const std::vector<PlanRow>& plan) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const PlanRow& row : plan)
+        rows.push_back({{"part", row.part},
+                        {"equation", row.equation},
+                        {"in", row.is_in},
+                        {"because", row.because}});
+    return rows;
+}
+
+/// The plan as a table:
+///
+///     part              equation     run  because
+///     cortex.elastic    (8)          in   scenes/a.toml:14:1
+///     cortex.bending    (9), (10)    -    no [cortex.bending]
+std::string table_text(const std::vector<PlanRow>& plan) {
+    std::size_t part_width = 4, equation_width = 8;
+    for (const PlanRow& row : plan) {
+        part_width = std::max(part_width, row.part.size());
+        equation_width = std::max(equation_width, row.equation.size());
+    }
+    const auto line = [&](const std::string& part, const std::string& equation,
+                          const std::string& in, const std::string& because) {
+        return fmt::format("{:<{}}  {:<{}}  {:<3}  {}\n", part, part_width, equation,
+                           equation_width, in, because);
+    };
+    std::string text = line("part", "equation", "run", "because");
+    for (const PlanRow& row : plan)
+        text += line(row.part, row.equation, row.is_in ? "in" : "-", row.because);
+    return text;
 }
 
 nlohmann::json describe(const std::string& path, const Error& error) {
@@ -70,13 +108,21 @@ std::string summary(const scene::Scene& scene) {
 ExitCode check(const CheckArguments& arguments) {
     try {
         const scene::Scene scene = scene::load_scene(arguments.scene, arguments.common.overrides());
+        // What only the engine's tables know is checked here too: a valid scene is one that runs.
+        static_cast<void>(chosen_method(scene));
+        static_cast<void>(chosen_fields(scene));
+        check_expectation_names(scene);
         if (arguments.common.json) {
-            print_json(describe(scene));
+            nlohmann::json document = describe(scene);
+            if (arguments.explain) document["plan"] = describe(explain(scene));
+            print_json(document);
             return ExitCode::ok;
         }
         for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
         if (arguments.print_config)
             fmt::print("{}", scene.resolved_toml);
+        else if (arguments.explain)
+            fmt::print("{}", table_text(explain(scene)));
         else
             fmt::print("{}\n", summary(scene));
         return ExitCode::ok;
@@ -95,6 +141,9 @@ Verb check_verb() {
                 command.add_option("SCENE", arguments->scene, "scene file")->required();
                 command.add_flag("--print-config", arguments->print_config,
                                  "print the scene as resolved, with every default");
+                command.add_flag("--explain", arguments->explain,
+                                 "list what is in the run and what is not, and because of which "
+                                 "line of the scene");
                 add_common_options(command, arguments->common,
                                    {CommonOption::set, CommonOption::seed, CommonOption::json});
                 return [arguments](const Invocation&) { return check(*arguments); };

@@ -6,6 +6,7 @@
 
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/run/snapshot_maker.hpp"
+#include "engine/stages/choices.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -28,43 +29,12 @@ double wall_clock_s() {
         .count();
 }
 
-std::vector<const Field*> wanted_fields(const scene::Scene& scene) {
-    std::vector<const Field*> fields;
-    for (const std::string& name : scene.measures.fields) {
-        const Field* field = find_field(name);
-        if (field == nullptr) {
-            std::string known;
-            for (const Field& row : all_fields()) known += " " + std::string(row.name);
-            throw Error(scene.measures.loc, "measures.fields: there is no field '" + name + "'",
-                        "fields are:" + known);
-        }
-        const bool present = field->requires_part == Requires::nothing ||
-                             (field->requires_part == Requires::elastic && scene.cortex.elastic) ||
-                             (field->requires_part == Requires::contact && scene.contact) ||
-                             (field->requires_part == Requires::cytosol && scene.cytosol);
-        if (!present)
-            throw Error(scene.measures.loc,
-                        "measures.fields: '" + name +
-                            "' means nothing here: the scene has no part that makes it",
-                        "it is " + std::string(field->description));
-        fields.push_back(field);
-    }
-    return fields;
-}
-
 }  // namespace
 
 Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
                const std::optional<GivenCells>& given)
     : scene_(scene), options_(options) {
-    const MethodRow* method = find_method(scene.method.name);
-    if (method == nullptr) {
-        std::string known;
-        for (const MethodRow& row : all_methods()) known += " " + std::string(row.name);
-        throw Error(scene.method.loc, "there is no method '" + scene.method.name + "'",
-                    "methods are:" + known);
-    }
-    method_ = method->make(method_parameters(scene));
+    method_ = chosen_method(scene).make(method_parameters(scene));
     const double target_strain = scene.cytosol ? scene.cytosol->target_strain : 0.0;
     Model model = make_model(make_icosphere(scene.cells.nodes), cell_radii(scene, given),
                              target_strain);
@@ -82,7 +52,7 @@ Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
     header_->seed = scene.seed;
     header_->version = options.version;
     header_->command_line = options.command_line;
-    header_->fields = wanted_fields(scene);
+    header_->fields = chosen_fields(scene);
     for (const double radius : model.radius_um)
         header_->radius_um.push_back(static_cast<float>(radius));
 

@@ -45,6 +45,7 @@ struct PlanRow {
     bool is_in = false;
     std::string because;   ///< the scene line, or what is missing
 };
+/// Every part that a scene can have, in the order of a step. Throws Error for an unknown method or field.
 [[nodiscard]] std::vector<PlanRow> explain(const scene::Scene& scene);
 
 }  // namespace spheroscope

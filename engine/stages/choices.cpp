@@ -1,0 +1,61 @@
+#include "engine/stages/choices.hpp"
+
+#include <string>
+
+namespace spheroscope {
+namespace {
+
+template <class Row> std::string names_of(std::span<const Row> rows) {
+    std::string names;
+    for (const Row& row : rows) names += " " + std::string(row.name);
+    return names;
+}
+
+}  // namespace
+
+const MethodRow& chosen_method(const scene::Scene& scene) {
+    const MethodRow* const method = find_method(scene.method.name);
+    if (method == nullptr)
+        throw Error(scene.method.loc, "there is no method '" + scene.method.name + "'",
+                    "methods are:" + names_of(all_methods()));
+    return *method;
+}
+
+bool has_part_of(const scene::Scene& scene, const Field& field) {
+    switch (field.requires_part) {
+    case Requires::nothing: return true;
+    case Requires::elastic: return scene.cortex.elastic.has_value();
+    case Requires::contact: return scene.contact.has_value();
+    case Requires::cytosol: return scene.cytosol.has_value();
+    }
+    return false;
+}
+
+std::string_view part_of(const Field& field) {
+    switch (field.requires_part) {
+    case Requires::nothing: return "";
+    case Requires::elastic: return "[cortex.elastic]";
+    case Requires::contact: return "[contact]";
+    case Requires::cytosol: return "[cytosol]";
+    }
+    return "";
+}
+
+std::vector<const Field*> chosen_fields(const scene::Scene& scene) {
+    std::vector<const Field*> fields;
+    for (const std::string& name : scene.measures.fields) {
+        const Field* const field = find_field(name);
+        if (field == nullptr)
+            throw Error(scene.measures.loc, "measures.fields: there is no field '" + name + "'",
+                        "fields are:" + names_of(all_fields()));
+        if (!has_part_of(scene, *field))
+            throw Error(scene.measures.loc,
+                        "measures.fields: '" + name +
+                            "' means nothing here: the scene has no " + std::string(part_of(*field)),
+                        "it is " + std::string(field->description));
+        fields.push_back(field);
+    }
+    return fields;
+}
+
+}  // namespace spheroscope
