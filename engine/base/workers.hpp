@@ -52,12 +52,13 @@ class Workers {
                  &f});
     }
 
-    /// Calls f(item) for the items 0..n_items-1, each by whichever member is free next.
+    /// Calls f(item) for the items 0..n_items-1. Each member begins with the item of its own index, so that
+    /// none is late to an empty table; the others go to whichever member is free next.
     template <class F> void loop(int n_items, const F& f) {
-        ticket_.store(0, std::memory_order_relaxed);
+        ticket_.store(n_threads_, std::memory_order_relaxed);
         region([&](Member& member) {
             std::int64_t& done = items_done_[static_cast<std::size_t>(member.index_)].count;
-            for (int item = next_ticket(); item < n_items; item = next_ticket(), ++done) f(item);
+            for (int item = member.index_; item < n_items; item = next_ticket(), ++done) f(item);
         });
     }
 
