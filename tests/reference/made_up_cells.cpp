@@ -66,6 +66,19 @@ PartValues case_a_values() {
     return v;
 }
 
+std::vector<double> springs_nN_per_um(const Model& model, double E_kPa) {
+    std::vector<double> springs;
+    for (std::size_t e = 0; e < model.topology->edges.size(); ++e) {
+        const MeshTopology::Edge& edge = model.topology->edges[e];
+        springs.push_back(
+            k_spring_nN_per_um(E_kPa, k_thickness_um,
+                               model.unit_triangle_area[static_cast<std::size_t>(edge.left)],
+                               model.unit_triangle_area[static_cast<std::size_t>(edge.right)],
+                               model.unit_edge_length[e]));
+    }
+    return springs;
+}
+
 Model model_with_nodes_on_sphere(int n_nodes, double R_um) {
     auto mesh = std::make_shared<MeshTopology>(*make_icosphere(n_nodes));
     for (Vec3& x : mesh->unit_shape) x.normalize();

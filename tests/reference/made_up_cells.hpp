@@ -33,6 +33,9 @@ inline constexpr double k_thickness_um = 0.2;
 /// Everything that case A has: E 20, gamma 0.5, K 5 (proportional), eta 1, adhesion with W = 0.5.
 [[nodiscard]] PartValues case_a_values();
 
+/// k of every edge's spring, eqn (8), nN/um [n_edges].
+[[nodiscard]] std::vector<double> springs_nN_per_um(const Model& model, double E_kPa);
+
 /// The model with its mesh's nodes on the sphere of radius R itself (not scaled to the sphere's volume),
 /// as the closed forms of single cells have it. V* is the volume of that polyhedron.
 [[nodiscard]] Model model_with_nodes_on_sphere(int n_nodes, double R_um);

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstdint>
+
+namespace spheroscope::test {
+
+/// Calls of the global operator new in this program so far, by all threads.
+[[nodiscard]] std::int64_t allocations();
+
+}  // namespace spheroscope::test
