@@ -160,5 +160,22 @@ TEST_P(Doublet, RestsAtTheRecordedAngleAreaAndPressureAndTheFinestMeshIsNearItsL
 INSTANTIATE_TEST_SUITE_P(Readings, Doublet, testing::ValuesIn(k_readings),
                          [](const auto& reading) { return std::string(reading.param.name); });
 
+TEST(MirrorImages, RestOnASmallerContactThanCellsThatAreTurned) {
+    const std::string turned = scene_text("claims/doublet_ii.toml");
+    const std::string pair = "arrangement = \"pair\"\nradius = 9\ngap = 0.2\n";
+    const auto from = turned.find("arrangement"), to = turned.find("[cortex.elastic]");
+    ASSERT_LT(from, to);
+    const std::string mirrored =
+        std::string(turned).replace(from, to - from, pair + "nodes = 162\n\n");
+    const SceneRun on_saddle =
+        run_scene(scene::parse_scene(mirrored, "mirrored.toml", {{"stage[0].duration", "50"}}));
+    const SceneRun settled =
+        run_scene("claims/doublet_ii.toml", {{"cells.nodes", "162"}, {"stage[0].duration", "50"}});
+    // At rest by its velocities, and yet a quarter of the contact is missing.
+    EXPECT_LT(on_saddle.last().totals.normal_speed_rms_um_per_s, 1e-3);
+    EXPECT_LT(on_saddle.last().totals.contact_area_um2,
+              0.85 * settled.last().totals.contact_area_um2);
+}
+
 }  // namespace
 }  // namespace spheroscope::test

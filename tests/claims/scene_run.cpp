@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <optional>
+#include <sstream>
 
 namespace spheroscope::test {
 namespace {
@@ -10,6 +12,12 @@ namespace {
 const std::filesystem::path k_scenes = std::filesystem::path(SPHEROSCOPE_SOURCE_DIR) / "scenes";
 
 }  // namespace
+
+std::string scene_text(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(k_scenes / name).rdbuf();
+    return text.str();
+}
 
 std::vector<std::string> scene_files(const std::string& folder) {
     std::vector<std::string> names;
@@ -20,10 +28,9 @@ std::vector<std::string> scene_files(const std::string& folder) {
     return names;
 }
 
-SceneRun run_scene(const std::string& name, const std::vector<scene::Override>& overrides,
-                   std::int64_t max_steps) {
+SceneRun run_scene(const scene::Scene& scene, std::int64_t max_steps) {
     SceneRun run;
-    run.scene = scene::load_scene((k_scenes / name).string(), overrides);
+    run.scene = scene;
     EngineOptions options;
     options.threads = 1;
     Engine engine(run.scene, options);
@@ -38,6 +45,11 @@ SceneRun run_scene(const std::string& name, const std::vector<scene::Override>& 
     };
     run.result = engine.run(sinks, stop);
     return run;
+}
+
+SceneRun run_scene(const std::string& name, const std::vector<scene::Override>& overrides,
+                   std::int64_t max_steps) {
+    return run_scene(scene::load_scene((k_scenes / name).string(), overrides), max_steps);
 }
 
 }  // namespace spheroscope::test
