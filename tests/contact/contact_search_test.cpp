@@ -1,6 +1,5 @@
 #include "engine/base/random.hpp"
 #include "engine/contact/contact_search.hpp"
-
 #include "tests/reference/all_pairs.hpp"
 #include "tests/reference/made_up_cells.hpp"
 
@@ -70,7 +69,8 @@ TEST(ContactSearch, FindsWhatAllPairsOfTrianglesGive) {
 }
 
 TEST(ContactSearch, FindsDeepContactsOfFineMeshesWithAShortRange) {
-    // Surfaces up to 1 um inside each other are contacts whatever h0 is; here that is five times 2 h0.
+    // Surfaces up to 1 um inside each other are contacts whatever h0 is; here that is five times 2
+    // h0.
     ContactLaw law = adhesive_law(0.5, 0.1, 2.0, 0.0);
     for (const double overlap_um : {0.5, 0.8, 1.0, 1.1}) {
         const Cluster cells = make_doublet(642, 5, 5.0, 5.0, overlap_um);

@@ -1,5 +1,5 @@
-// How the force of a pair depends on where its triangles are: steady where the pair is tilted or already
-// overlaps, linear between the kinks, and a jump where two parallel faces first touch.
+// How the force of a pair depends on where its triangles are: steady where the pair is tilted or
+// already overlaps, linear between the kinks, and a jump where two parallel faces first touch.
 #include "tests/contact/random_triangles.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,8 @@ double largest_jump_nN(const TrianglePair& from, const TrianglePair& to, int n_s
     return largest;
 }
 
-/// B at rest with its face up, A over it at this gap, with its face down; both equal seen from above.
+/// B at rest with its face up, A over it at this gap, with its face down; both equal seen from
+/// above.
 TrianglePair facing_at(double gap_um, double tilt_rad = 0.0) {
     const std::array<Vec3, 3> b = flat_triangle(k_random, 1);
     const Mat3 turn = Eigen::AngleAxisd(tilt_rad, Vec3(0.6, 0.8, 0.0)).toRotationMatrix();
@@ -53,8 +54,7 @@ TrianglePair facing_at(double gap_um, double tilt_rad = 0.0) {
 
 double pushing_force_nN(const TrianglePair& t, const ContactLaw& law) {
     ContactPair pair;
-    const PairOutcome outcome =
-        contact_of_triangles(triangle_of(t.a), triangle_of(t.b), law, pair);
+    const PairOutcome outcome = contact_of_triangles(triangle_of(t.a), triangle_of(t.b), law, pair);
     return outcome == PairOutcome::active ? pair.force_nN : 0.0;
 }
 
@@ -91,11 +91,13 @@ TEST_P(PairForce, IsContinuousThroughParallelOnceThePairOverlaps) {
     const auto tilted = [](double tilt_rad) { return facing_at(0.2, tilt_rad); };
     double coarse_nN = 0.0, fine_nN = 0.0;
     for (int i = -50; i < 50; ++i)
-        coarse_nN = std::max(coarse_nN, (node_forces(tilted(1e-3 * (i + 1)), law) -
-                                         node_forces(tilted(1e-3 * i), law)).norm());
+        coarse_nN = std::max(
+            coarse_nN,
+            (node_forces(tilted(1e-3 * (i + 1)), law) - node_forces(tilted(1e-3 * i), law)).norm());
     for (int i = -500; i < 500; ++i)
-        fine_nN = std::max(fine_nN, (node_forces(tilted(1e-4 * (i + 1)), law) -
-                                     node_forces(tilted(1e-4 * i), law)).norm());
+        fine_nN = std::max(
+            fine_nN,
+            (node_forces(tilted(1e-4 * (i + 1)), law) - node_forces(tilted(1e-4 * i), law)).norm());
     EXPECT_GT(coarse_nN, 0.0);
     EXPECT_LE(fine_nN, 0.15 * coarse_nN);
 }
@@ -110,11 +112,12 @@ TEST_P(PairForce, OfParallelFacesJumpsByP0TimesTheAreaAtFirstTouch) {
 }
 
 TEST_P(PairForce, OfATiltedPairRisesFromZeroWithTheStatedSteepness) {
-    // While the line delta = 0 sweeps over the pair, |dF| stays within P0 L / (2 tan(tilt/2)) + k S per um.
+    // While the line delta = 0 sweeps over the pair, |dF| stays within P0 L / (2 tan(tilt/2)) + k S
+    // per um.
     const double tilt_rad = 0.05, step_um = 1e-5;
     const double longest_um = 2.4;  // no chord of the triangle is longer
-    const double largest_slope = law.P0_kPa * longest_um / (2.0 * std::tan(tilt_rad / 2.0)) +
-                                 law.k_kPa_per_um * 3.0;
+    const double largest_slope =
+        law.P0_kPa * longest_um / (2.0 * std::tan(tilt_rad / 2.0)) + law.k_kPa_per_um * 3.0;
     double steepest = 0.0;
     for (double gap_um = 0.5; gap_um < 0.75; gap_um += 1e-3)
         steepest = std::max(steepest,
@@ -144,7 +147,8 @@ TEST_P(PairForce, OfParallelFacesHasTheSlopeOfTheLawOnBothSidesOfEveryKink) {
     // One-sided at first touch: from inside only.
     const double edge_um = 2.0 * k_h0_um * (1.0 - 1e-12);
     const double from_inside = (pushing_force_nN(facing_at(edge_um), law) -
-                                pushing_force_nN(facing_at(edge_um - step_um), law)) / step_um;
+                                pushing_force_nN(facing_at(edge_um - step_um), law)) /
+                               step_um;
     EXPECT_NEAR(from_inside, slope, 1e-7 * std::abs(slope));
 }
 

@@ -1,4 +1,5 @@
-// Two flat patches of many triangles against each other: the law of the contact, whatever the meshes.
+// Two flat patches of many triangles against each other: the law of the contact, whatever the
+// meshes.
 #include "tests/contact/random_triangles.hpp"
 
 #include <gtest/gtest.h>
@@ -88,8 +89,7 @@ TEST_P(FlatPatches, FollowTheLawExactlyFromTouchingToOutOfRange) {
         // At a gap of 2 h0 itself the last bit decides.
         if (step == 20) continue;
         if (gap_um < 2.0 * h0_um) {
-            const double expected_kPa =
-                law.k_kPa_per_um * (2.0 * h0_um - gap_um) - law.P0_kPa;
+            const double expected_kPa = law.k_kPa_per_um * (2.0 * h0_um - gap_um) - law.P0_kPa;
             EXPECT_NEAR(sum.area_um2, area_um2, 1e-10 * area_um2) << "gap " << gap_um;
             EXPECT_NEAR(sum.force_nN / area_um2, expected_kPa, 1e-10 * law.P0_kPa)
                 << "gap " << gap_um;
@@ -119,8 +119,8 @@ TEST_P(FlatPatches, TakeTheWorkOfAdhesionToSeparate) {
     EXPECT_NEAR(W, GetParam().W_over_omega * omega, 1e-10);
     EXPECT_NEAR(law.work_of_adhesion_nN_per_um(), W, 1e-10);
     // Printed constants: P0 = omega / h0 for I and II, twice that for III and IV.
-    const double P0 = (GetParam().W_over_omega * 2.0 / GetParam().equilibrium_overlap_h0) *
-                      omega / h0_um;
+    const double P0 =
+        (GetParam().W_over_omega * 2.0 / GetParam().equilibrium_overlap_h0) * omega / h0_um;
     EXPECT_NEAR(law.P0_kPa, P0, 1e-12);
 }
 

@@ -38,8 +38,7 @@ TEST(MonteCarlo, FindsTheAreaForceAndNodalForcesOfTheKernelWithinThreeStandardEr
         const Vec3& n = pair.normal;
         const double c = 0.5 * (b.normal - a.normal).norm();
         // Area of A seen along n; its points are hit evenly.
-        const double seen_um2 =
-            0.5 * std::abs(n.dot((t.a[1] - t.a[0]).cross(t.a[2] - t.a[0])));
+        const double seen_um2 = 0.5 * std::abs(n.dot((t.a[1] - t.a[0]).cross(t.a[2] - t.a[0])));
         Sample area, force;
         std::array<Sample, 3> nodal;
         for (int i = 0; i < n_points; ++i) {
@@ -56,7 +55,8 @@ TEST(MonteCarlo, FindsTheAreaForceAndNodalForcesOfTheKernelWithinThreeStandardEr
             const Vec3 y = x + height * n;
             bool is_in_b = true;
             for (std::size_t k = 0; k < 3; ++k)
-                is_in_b = is_in_b && b.normal.dot((t.b[(k + 1) % 3] - t.b[k]).cross(y - t.b[k])) >= 0.0;
+                is_in_b =
+                    is_in_b && b.normal.dot((t.b[(k + 1) % 3] - t.b[k]).cross(y - t.b[k])) >= 0.0;
             const double overlap_um = height + 2.0 * law.h0_um / c;
             const bool is_in = is_in_b && overlap_um >= 0.0;
             const double pressure_kPa = is_in ? law.pressure_kPa(overlap_um) : 0.0;

@@ -20,7 +20,8 @@ std::array<Vec3, 3> flat_triangle(const Random& random, std::uint64_t index) {
     std::array<Vec3, 3> corner;
     for (std::uint32_t i = 0; i < 3; ++i) {
         // Corners near those of an equilateral triangle: no slivers, always the same winding.
-        const double angle = 2.0 * std::numbers::pi * (i + 0.35 * random.uniform(index, 50 + i)) / 3.0;
+        const double angle =
+            2.0 * std::numbers::pi * (i + 0.35 * random.uniform(index, 50 + i)) / 3.0;
         const double r_um = 0.6 + 0.6 * random.uniform(index, 60 + i);
         corner[i] = Vec3(r_um * std::cos(angle), r_um * std::sin(angle), 0.0);
     }

@@ -25,8 +25,8 @@ struct TrianglePair {
     std::array<Vec3, 3> a, b;
 };
 /// Two triangles whose gap is within the range of the law, turned and moved together at random.
-///   tilted: half a wedge of up to 50 degrees; parallel: exactly (no common turn); nearly_parallel: tilt 1e-12;
-///   shared_edge: projections along n with one edge in common.
+///   tilted: half a wedge of up to 50 degrees; parallel: exactly (no common turn); nearly_parallel:
+///   tilt 1e-12; shared_edge: projections along n with one edge in common.
 [[nodiscard]] TrianglePair random_pair(const Random& random, std::uint64_t index, Facing facing,
                                        double h0_um);
 

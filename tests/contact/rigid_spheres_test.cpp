@@ -1,13 +1,13 @@
-// Two rigid spheres that approach. To first order in h0/R the force is Derjaguin's, pi R' (k delta0^2/2 -
-// P0 delta0) with R' = R + h0 and the overlap delta0 on the axis. Two corrections of that order are exact for
-// this geometry and stay however fine the mesh is:
+// Two rigid spheres that approach. To first order in h0/R the force is Derjaguin's, pi R' (k
+// delta0^2/2 - P0 delta0) with R' = R + h0 and the overlap delta0 on the axis. Two corrections of
+// that order are exact for this geometry and stay however fine the mesh is:
 //   curvature: the overlap at the distance r = R sin(phi) from the axis is
 //     2 h0 / cos(phi) - gap - 2 R (1 - cos(phi));
-//   coverage: neighbouring pairs of triangles project along normals that differ by half a dihedral angle, so
-//     strips of width distance x angle / 2 on both surfaces lie between their polygons: of two spheres at
-//     the distance s the polygons cover the share 1 - s/R.
+//   coverage: neighbouring pairs of triangles project along normals that differ by half a dihedral
+//   angle, so
+//     strips of width distance x angle / 2 on both surfaces lie between their polygons: of two
+//     spheres at the distance s the polygons cover the share 1 - s/R.
 #include "engine/contact/contact_search.hpp"
-
 #include "tests/reference/made_up_cells.hpp"
 
 #include <gtest/gtest.h>
@@ -72,8 +72,8 @@ TEST(RigidSpheres, PullWithDerjaguinsForceLessTheStripsBetweenThePolygons) {
         EXPECT_LT(force_nN, 0.0);
         EXPECT_NEAR(force_nN / expected_force_nN(overlap_um, law), 1.0, 0.015) << overlap_um;
     }
-    // Largest where P vanishes on the axis, -pi R' W up to terms of h0/R: 2/3 of 2 h0/R for the strips and
-    // a third of that for the curvature.
+    // Largest where P vanishes on the axis, -pi R' W up to terms of h0/R: 2/3 of 2 h0/R for the
+    // strips and a third of that for the curvature.
     const double deepest_nN = mean_force_nN(642, 0.6, law, 6);
     EXPECT_LT(deepest_nN, mean_force_nN(642, 0.4, law, 6));
     EXPECT_LT(deepest_nN, mean_force_nN(642, 0.8, law, 6));

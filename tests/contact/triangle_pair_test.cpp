@@ -34,7 +34,8 @@ TEST_P(TrianglePairs, NodalForcesHaveTheResultantAndMomentOfThePressureAndNoNetF
             SCOPED_TRACE(testing::Message()
                          << "pair " << index << ", facing " << static_cast<int>(facing));
             const reference::PlainContact plain = reference::plain_contact(t.a, t.b, law);
-            const double size_nN = law.P0_kPa * 0.5 * (t.a[1] - t.a[0]).cross(t.a[2] - t.a[0]).norm();
+            const double size_nN =
+                law.P0_kPa * 0.5 * (t.a[1] - t.a[0]).cross(t.a[2] - t.a[0]).norm();
             double sum_a = 0.0, sum_b = 0.0;
             Vec3 moment_a = Vec3::Zero(), moment_b = Vec3::Zero();
             Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
@@ -124,8 +125,8 @@ TEST_P(TrianglePairs, SwappingTheTrianglesSwapsTheForces) {
 TEST_P(TrianglePairs, APairOverItsLargestOverlapIsCountedAndNoContact) {
     const std::array<Vec3, 3> b = flat_triangle(k_random, 3);
     const auto at_overlap = [&](double overlap_um) {
-        const std::array<Vec3, 3> a = moved(turned_over(b), Mat3::Identity(),
-                                            Vec3(0.0, 0.0, 2.0 * k_h0_um - overlap_um));
+        const std::array<Vec3, 3> a =
+            moved(turned_over(b), Mat3::Identity(), Vec3(0.0, 0.0, 2.0 * k_h0_um - overlap_um));
         ContactPair pair;
         return contact_of_triangles(triangle_of(a), triangle_of(b), law, pair);
     };
@@ -134,15 +135,15 @@ TEST_P(TrianglePairs, APairOverItsLargestOverlapIsCountedAndNoContact) {
 }
 
 TEST_P(TrianglePairs, AreRejectedFromTheirAngleOn) {
-    // Two triangles that meet in an edge of the wedge, with n_A . n_B just below and above the limit.
+    // Two triangles that meet in an edge of the wedge, with n_A . n_B just below and above the
+    // limit.
     const auto outcome_at = [&](double cosine) {
         const double half_wedge = 0.5 * (std::numbers::pi - std::acos(cosine));
         const Mat3 up = Eigen::AngleAxisd(half_wedge, Vec3::UnitX()).toRotationMatrix();
         const std::array<Vec3, 3> b = flat_triangle(k_random, 8);
         ContactPair pair;
         return contact_of_triangles(triangle_of(moved(turned_over(b), up, Vec3::Zero())),
-                                    triangle_of(moved(b, up.transpose(), Vec3::Zero())), law,
-                                    pair);
+                                    triangle_of(moved(b, up.transpose(), Vec3::Zero())), law, pair);
     };
     EXPECT_EQ(outcome_at(law.reject_cos - 1e-9), PairOutcome::active);
     EXPECT_EQ(outcome_at(law.reject_cos + 1e-9), PairOutcome::apart);

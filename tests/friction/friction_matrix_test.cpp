@@ -1,5 +1,4 @@
 #include "engine/base/random.hpp"
-
 #include "tests/reference/dense_system.hpp"
 #include "tests/reference/made_up_cells.hpp"
 
@@ -14,8 +13,8 @@ namespace {
 using Eigen::MatrixXd;
 using reference::largest;
 
-/// Two small cells of unequal size that overlap, with every friction; across and along the contact differ,
-/// so that a swap of the two shows.
+/// Two small cells of unequal size that overlap, with every friction; across and along the contact
+/// differ, so that a swap of the two shows.
 class FrictionMatrix : public testing::Test {
   protected:
     static constexpr ContactFriction contact_friction{0.07, 0.02};
@@ -91,7 +90,8 @@ TEST_F(FrictionMatrix, ResistsACommonVelocityByDragAlone) {
 }
 
 TEST_F(FrictionMatrix, DissipatesContactFrictionByTheRelativeVelocityOfTheCells) {
-    // Cells as wholes at +-v: every pair of triangles resists with S g |2 v|^2, weights summing to one.
+    // Cells as wholes at +-v: every pair of triangles resists with S g |2 v|^2, weights summing to
+    // one.
     VelocitySystem gamma = system.velocity_system(0.0, {});
     const Vec3 v_um_per_s(0.5, 0.2, -0.3);
     std::vector<Vec3> u(cells.model.n_all_nodes(), v_um_per_s), out(u.size());
@@ -103,10 +103,9 @@ TEST_F(FrictionMatrix, DissipatesContactFrictionByTheRelativeVelocityOfTheCells)
     for (const ContactPair& pair : system.contacts().pairs) {
         const Vec3 relative = 2.0 * v_um_per_s;
         const double across = pair.normal.dot(relative);
-        expected += pair.area_um2 *
-                    (contact_friction.normal_kPa_s_per_um * across * across +
-                     contact_friction.tangential_kPa_s_per_um *
-                         (relative.squaredNorm() - across * across));
+        expected += pair.area_um2 * (contact_friction.normal_kPa_s_per_um * across * across +
+                                     contact_friction.tangential_kPa_s_per_um *
+                                         (relative.squaredNorm() - across * across));
     }
     EXPECT_NEAR(power, expected, 1e-12 * expected);
 }

@@ -1,6 +1,5 @@
 // Friction of one cell that moves as a rigid body or grows, against the closed forms of a sphere.
 #include "engine/friction/cortex_viscosity.hpp"
-
 #include "tests/reference/made_up_cells.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +45,8 @@ TEST(Drag, OfAForceOnAWholeCellIsStokes) {
 }
 
 TEST(RigidSpin, IsResistedByDragAndByTheCortex) {
-    // The cortex friction acts on the whole relative velocity of two nodes, so it resists rotation too.
+    // The cortex friction acts on the whole relative velocity of two nodes, so it resists rotation
+    // too.
     PartValues values;
     values.eta_kPa_s = k_eta;
     const Model model = make_model(make_icosphere(642), {k_R_um});
@@ -92,8 +92,7 @@ double breathing_rate(const Model& model) {
 TEST(Breathing, StartsAtTheRateOfTheClosedForm) {
     // r' = dP / (2 eta t/R^2 + 3 eta_f/2R), eps' = 3 r'/R.
     const double closed_form =
-        3.0 / k_R_um /
-        (2.0 * k_eta * k_thickness_um / (k_R_um * k_R_um) + 1.5 * k_eta_f / k_R_um);
+        3.0 / k_R_um / (2.0 * k_eta * k_thickness_um / (k_R_um * k_R_um) + 1.5 * k_eta_f / k_R_um);
     EXPECT_NEAR(closed_form, 25.12, 0.01);
     EXPECT_NEAR(breathing_rate(model_with_nodes_on_sphere(642, k_R_um)), closed_form,
                 0.005 * closed_form);

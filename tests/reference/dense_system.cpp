@@ -46,8 +46,7 @@ MatrixXd dense_drag(const Model& model, double eta_f_kPa_s) {
             const auto at = [&](std::size_t i) -> const Vec3& {
                 return model.topology->unit_shape[static_cast<std::size_t>(triangle[i])];
             };
-            const double area_um2 =
-                0.5 * R * R * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+            const double area_um2 = 0.5 * R * R * (at(1) - at(0)).cross(at(2) - at(0)).norm();
             for (const int local : triangle) {
                 const int i = blocks.node(cell, local);
                 blocks.add(i, i, 3.0 * eta_f_kPa_s / (2.0 * R) * area_um2 / 3.0 * Mat3::Identity());

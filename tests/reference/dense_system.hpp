@@ -10,8 +10,8 @@
 
 namespace spheroscope::reference {
 
-// The matrices of the equation of motion as dense ones [3 n_all_nodes squared], assembled entry by entry
-// from their definitions. Row 3 i + k is component k of node i.
+// The matrices of the equation of motion as dense ones [3 n_all_nodes squared], assembled entry by
+// entry from their definitions. Row 3 i + k is component k of node i.
 
 /// Drag of the medium, eqn (14), from the rest areas of the triangles.
 [[nodiscard]] Eigen::MatrixXd dense_drag(const Model& model, double eta_f_kPa_s);

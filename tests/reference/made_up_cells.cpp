@@ -70,11 +70,10 @@ std::vector<double> springs_nN_per_um(const Model& model, double E_kPa) {
     std::vector<double> springs;
     for (std::size_t e = 0; e < model.topology->edges.size(); ++e) {
         const MeshTopology::Edge& edge = model.topology->edges[e];
-        springs.push_back(
-            k_spring_nN_per_um(E_kPa, k_thickness_um,
-                               model.unit_triangle_area[static_cast<std::size_t>(edge.left)],
-                               model.unit_triangle_area[static_cast<std::size_t>(edge.right)],
-                               model.unit_edge_length[e]));
+        springs.push_back(k_spring_nN_per_um(
+            E_kPa, k_thickness_um, model.unit_triangle_area[static_cast<std::size_t>(edge.left)],
+            model.unit_triangle_area[static_cast<std::size_t>(edge.right)],
+            model.unit_edge_length[e]));
     }
     return springs;
 }
@@ -96,8 +95,7 @@ std::vector<Vec3> turned_cells(const Model& model, std::span<const Vec3> centres
     for (int cell = 0; cell < model.n_cells(); ++cell) {
         const auto c = static_cast<std::size_t>(cell);
         const Vec3 axis = normal_vector(random, c).normalized();
-        const Mat3 turn =
-            Eigen::AngleAxisd(6.0 * random.uniform(c, 3), axis).toRotationMatrix();
+        const Mat3 turn = Eigen::AngleAxisd(6.0 * random.uniform(c, 3), axis).toRotationMatrix();
         const std::span<Vec3> x = model.cell_nodes(std::span<Vec3>(x_um), cell);
         for (std::size_t i = 0; i < x.size(); ++i)
             x[i] = centres_um[c] + model.radius_um[c] * (turn * model.topology->unit_shape[i]) +
@@ -116,8 +114,8 @@ Cluster make_cluster(int n_nodes, std::uint64_t seed, double overlap_um, double 
     return cluster;
 }
 
-Cluster make_doublet(int n_nodes, std::uint64_t seed, double R0_um, double R1_um,
-                     double overlap_um, double noise_um) {
+Cluster make_doublet(int n_nodes, std::uint64_t seed, double R0_um, double R1_um, double overlap_um,
+                     double noise_um) {
     Cluster doublet{make_model(make_icosphere(n_nodes), {R0_um, R1_um}), {}};
     const std::vector<Vec3> centres_um{Vec3::Zero(), Vec3(0.0, 0.0, R0_um + R1_um - overlap_um)};
     doublet.x_um = turned_cells(doublet.model, centres_um, seed, noise_um);

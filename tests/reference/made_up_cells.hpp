@@ -36,11 +36,12 @@ inline constexpr double k_thickness_um = 0.2;
 /// k of every edge's spring, eqn (8), nN/um [n_edges].
 [[nodiscard]] std::vector<double> springs_nN_per_um(const Model& model, double E_kPa);
 
-/// The model with its mesh's nodes on the sphere of radius R itself (not scaled to the sphere's volume),
-/// as the closed forms of single cells have it. V* is the volume of that polyhedron.
+/// The model with its mesh's nodes on the sphere of radius R itself (not scaled to the sphere's
+/// volume), as the closed forms of single cells have it. V* is the volume of that polyhedron.
 [[nodiscard]] Model model_with_nodes_on_sphere(int n_nodes, double R_um);
 
-/// Rest shapes at these centres, each turned at random, with normal noise on the nodes, um [all nodes].
+/// Rest shapes at these centres, each turned at random, with normal noise on the nodes, um [all
+/// nodes].
 [[nodiscard]] std::vector<Vec3> turned_cells(const Model& model, std::span<const Vec3> centres_um,
                                              std::uint64_t seed, double noise_um = 0.0);
 

@@ -7,8 +7,8 @@
 
 namespace spheroscope::reference {
 
-/// What the contact kernel should find, from the definitions of Cuvelier et al. 2021, eqns (5)-(7), and
-/// nothing else: no early exits, no moved origin, long double.
+/// What the contact kernel should find, from the definitions of Cuvelier et al. 2021, eqns (5)-(7),
+/// and nothing else: no early exits, no moved origin, long double.
 struct PlainContact {
     bool touches = false;  ///< the clip polygon has an area
     double area_um2 = 0.0;
@@ -21,9 +21,10 @@ struct PlainContact {
     std::array<double, 3> force_a_nN{}, force_b_nN{};
 };
 
-/// Sutherland-Hodgman clip in the contact plane, overlap from the heights of both triangles over it,
-/// closed-form polygon moments (Green's theorem), nodal forces by Cramer's rule on the 3x3 system (7).
-/// Corners counter-clockwise from outside. Ignores reject_cos and largest_overlap_um of the law.
+/// Sutherland-Hodgman clip in the contact plane, overlap from the heights of both triangles over
+/// it, closed-form polygon moments (Green's theorem), nodal forces by Cramer's rule on the 3x3
+/// system (7). Corners counter-clockwise from outside. Ignores reject_cos and largest_overlap_um of
+/// the law.
 [[nodiscard]] PlainContact plain_contact(const std::array<Vec3, 3>& a_um,
                                          const std::array<Vec3, 3>& b_um, const ContactLaw& law);
 

@@ -53,7 +53,8 @@ TEST_P(Determinism, SameBitsWithSixteenThreadsThatAllHaveWork) {
     for (int i = 0; i < 16; ++i)
         centres.emplace_back(9.8 * (i % 4), 9.8 * (i / 4 % 2), 9.8 * (i / 8));
     cells.x_um = turned_cells(cells.model, centres, 5, 0.05);
-    System alone(cells.model, make_parts(values()), 1), system(cells.model, make_parts(values()), 16);
+    System alone(cells.model, make_parts(values()), 1),
+        system(cells.model, make_parts(values()), 16);
     EXPECT_EQ(hash_after_run(system, 5), hash_after_run(alone, 5));
     EXPECT_EQ(members_with_work(system), 16);
     EXPECT_GE(alone.contacts().groups.size(), 28U);
@@ -62,7 +63,8 @@ TEST_P(Determinism, SameBitsWithSixteenThreadsThatAllHaveWork) {
 TEST_P(Determinism, SameBitsInASecondRunOfTheSameSystem) {
     System system(cells.model, make_parts(values()), 2);
     const std::uint64_t first = hash_after_run(system);
-    EXPECT_EQ(hash_after_run(system), first) << "lists and factors that are there already change nothing";
+    EXPECT_EQ(hash_after_run(system), first)
+        << "lists and factors that are there already change nothing";
 }
 
 TEST_P(Determinism, ADifferenceInTheLastBitOfOneCoordinateChangesTheHash) {

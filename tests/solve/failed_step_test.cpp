@@ -1,6 +1,5 @@
 // A step that cannot be made leaves the state as it was, to the bit, and says why.
 #include "engine/solve/step_common.hpp"
-
 #include "tests/reference/made_up_cells.hpp"
 
 #include <gtest/gtest.h>
@@ -50,8 +49,8 @@ class FailedStep : public testing::TestWithParam<std::string_view> {
 };
 
 TEST_P(FailedStep, NamesTermCellNodeAndSceneLineOfAForceThatIsNotFinite) {
-    for (const double force_nN : {std::numeric_limits<double>::infinity(),
-                                  std::numeric_limits<double>::quiet_NaN()}) {
+    for (const double force_nN :
+         {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
         SystemParts parts = make_parts(values());
         parts.terms.push_back(std::make_unique<Faulty>(force_nN, 1, 17));
         System system(cells.model, std::move(parts), 2);
@@ -208,7 +207,8 @@ TEST(StepEnd, LandsOnTheLimitAndLeavesNoRemainderThatIsTooSmallToBeAStep) {
     EXPECT_EQ(step_end_s(1.0, 1.0, 2.0), 2.0);
     EXPECT_EQ(step_end_s(1.0, 0.7, 2.0), 1.5) << "two equal halves, not 0.7 and 0.3";
     EXPECT_EQ(step_end_s(1.0, 1.0 - 1e-12, 2.0), 2.0) << "a rounding error is no step";
-    // From any size, the steps to a limit end exactly on it and none is smaller than half the wanted one.
+    // From any size, the steps to a limit end exactly on it and none is smaller than half the
+    // wanted one.
     for (const double dt_s : {0.1, 0.3, 1.0 / 7.0, 0.99, 3.0}) {
         double time_s = 0.25, smallest_s = 10.0;
         int n_steps = 0;

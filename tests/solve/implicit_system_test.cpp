@@ -24,8 +24,8 @@ class ImplicitSystem : public testing::Test {
         return v;
     }
     ImplicitSystem() : system(cells.model, make_parts(values()), 1) {
-        EXPECT_FALSE(system.evaluate(cells.x_um, integral_s, 0.0,
-                                     System::Detail::forces_and_stiffness));
+        EXPECT_FALSE(
+            system.evaluate(cells.x_um, integral_s, 0.0, System::Detail::forces_and_stiffness));
     }
     /// Gamma + dt K + coefficient S S^T from the definitions.
     MatrixXd dense(std::span<const double> coefficient) {
@@ -107,8 +107,8 @@ TEST_F(ImplicitSystem, OfAStepIsSolvedAndAppliedAsWritten) {
     for (std::size_t c = 0; c < 2; ++c) {
         double volume_rate = 0.0;
         for (std::size_t i = 42 * c; i < 42 * (c + 1); ++i)
-            volume_rate += before.volume_gradient_um2[i].dot(
-                v.segment<3>(static_cast<Eigen::Index>(3 * i)));
+            volume_rate +=
+                before.volume_gradient_um2[i].dot(v.segment<3>(static_cast<Eigen::Index>(3 * i)));
         const double end_strain = strain[c] + dt_s * volume_rate / model.target_volume_um3[c];
         EXPECT_NEAR(state.volume_integral_s[c], integral_s[c] + dt_s * end_strain, 1e-12);
     }
@@ -122,8 +122,7 @@ TEST_F(ImplicitSystem, OfAnExplicitStepIsTheFrictionMatrixAlone) {
                                           *system.parts().frictions.contact) +
         reference::dense_volume(cells.model, system.volume_friction(),
                                 system.geometry().volume_gradient_um2);
-    const VectorXd v =
-        Eigen::LLT<MatrixXd>(gamma).solve(reference::flat(system.force_nN()));
+    const VectorXd v = Eigen::LLT<MatrixXd>(gamma).solve(reference::flat(system.force_nN()));
     std::vector<double> strain;
     for (int cell = 0; cell < 2; ++cell)
         strain.push_back(system.parts().cytosol->volume_strain(system.configuration(), cell));

@@ -1,7 +1,6 @@
 #include "engine/base/random.hpp"
 #include "engine/solve/conjugate_gradients.hpp"
 #include "engine/solve/cortex_factor.hpp"
-
 #include "tests/reference/dense_system.hpp"
 #include "tests/reference/made_up_cells.hpp"
 
@@ -104,8 +103,8 @@ TEST_F(CoupledCells, ConjugateGradientsStopAtTheirTolerance) {
         const SolveOutcome outcome = system.solve_implicit(dt_s, coefficient, b, v, tolerance);
         ASSERT_TRUE(outcome.converged);
         matrix.product(v, product, system.workers());
-        const double residual = (reference::flat(b) - reference::flat(product)).norm() /
-                                reference::flat(b).norm();
+        const double residual =
+            (reference::flat(b) - reference::flat(product)).norm() / reference::flat(b).norm();
         EXPECT_LE(residual, tolerance * (1.0 + 1e-6));
         EXPECT_NEAR(outcome.relative_residual, residual, 1e-12);
         EXPECT_GT(outcome.iterations, last_iterations);
@@ -140,8 +139,8 @@ TEST_F(CoupledCells, ConjugateGradientsTakeNoStepFromASolutionAndSayWhenTheyFail
 }
 
 TEST(VolumePart, IsInvertedExactlyWhereNoCellsTouch) {
-    // Sherman and Morrison: drag and cortex alone are solved directly, and so they are with the rank-one
-    // part of the volume controller, which is a thousand times stiffer.
+    // Sherman and Morrison: drag and cortex alone are solved directly, and so they are with the
+    // rank-one part of the volume controller, which is a thousand times stiffer.
     for (const double eta_kPa_s : {0.0, 1.0}) {
         PartValues values;
         values.K_kPa = 5.0;

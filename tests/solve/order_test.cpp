@@ -7,7 +7,8 @@
 namespace spheroscope::test {
 namespace {
 
-/// Node positions at 0.1 s by n fixed steps: a stretched cell relaxes, its volume under the full controller.
+/// Node positions at 0.1 s by n fixed steps: a stretched cell relaxes, its volume under the full
+/// controller.
 std::vector<Vec3> end_of_run(const MethodRow& row, int n_steps) {
     PartValues values;
     values.E_kPa = 5.0;
@@ -45,10 +46,11 @@ TEST(Methods, HaveTheOrderThatTheirTableSays) {
     for (const MethodRow& row : all_methods()) {
         std::vector<std::vector<Vec3>> ends;
         for (const int n_steps : {20, 40, 80, 160}) ends.push_back(end_of_run(row, n_steps));
-        // Halving the step divides the difference of two runs by 2^order, up to terms of the next order.
+        // Halving the step divides the difference of two runs by 2^order, up to terms of the next
+        // order.
         for (std::size_t i = 0; i + 2 < ends.size(); ++i) {
-            const double order = std::log2(distance(ends[i], ends[i + 1]) /
-                                           distance(ends[i + 1], ends[i + 2]));
+            const double order =
+                std::log2(distance(ends[i], ends[i + 1]) / distance(ends[i + 1], ends[i + 2]));
             EXPECT_NEAR(order, row.order, i == 0 ? 0.2 : 0.1) << row.name;
         }
     }

@@ -1,5 +1,5 @@
-// A flat sheet of springs and dashpots under a constant line tension: the engine holds closed meshes only, so
-// the sheet is put together here from the same laws of one edge.
+// A flat sheet of springs and dashpots under a constant line tension: the engine holds closed
+// meshes only, so the sheet is put together here from the same laws of one edge.
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/friction/cortex_viscosity.hpp"
 
@@ -17,7 +17,8 @@ namespace {
 constexpr double k_E_kPa = 20.0, k_t_um = 0.2, k_eta_kPa_s = 1.0;
 
 TEST(Edge, CreepsExponentiallyUnderAConstantPull) {
-    // k (d - d*) + c d' = f: the strain rises as 1 - exp(-k t/c) with c/k = 2 eta/3E in a regular sheet.
+    // k (d - d*) + c d' = f: the strain rises as 1 - exp(-k t/c) with c/k = 2 eta/3E in a regular
+    // sheet.
     const double d_um = 1.4, S_um2 = std::sqrt(3.0) / 4.0 * d_um * d_um, pull_nN = 0.02;
     const double k = k_spring_nN_per_um(k_E_kPa, k_t_um, S_um2, S_um2, d_um);
     const double c = edge_friction_nN_s_per_um(k_eta_kPa_s, k_t_um);
@@ -39,21 +40,22 @@ TEST(Edge, CreepsExponentiallyUnderAConstantPull) {
     }
 }
 
-/// A parallelogram of equilateral triangles in the plane z = 0. At its rim an edge has one triangle, and with
-/// it half of an inner edge's spring and half of its dashpot.
+/// A parallelogram of equilateral triangles in the plane z = 0. At its rim an edge has one
+/// triangle, and with it half of an inner edge's spring and half of its dashpot.
 class Sheet {
   public:
     explicit Sheet(int n) {
         for (int row = 0; row <= n; ++row)
             for (int column = 0; column <= n; ++column)
-                rest_.emplace_back(k_d_um * (column + 0.5 * row),
-                                   k_d_um * std::sqrt(0.75) * row, 0.0);
+                rest_.emplace_back(k_d_um * (column + 0.5 * row), k_d_um * std::sqrt(0.75) * row,
+                                   0.0);
         const auto node = [n](int column, int row) {
             return static_cast<std::size_t>(row * (n + 1) + column);
         };
         for (int row = 0; row < n; ++row)
             for (int column = 0; column < n; ++column) {
-                triangles_.push_back({node(column, row), node(column + 1, row), node(column, row + 1)});
+                triangles_.push_back(
+                    {node(column, row), node(column + 1, row), node(column, row + 1)});
                 triangles_.push_back(
                     {node(column + 1, row), node(column + 1, row + 1), node(column, row + 1)});
             }
@@ -91,11 +93,13 @@ class Sheet {
                 F[edge.first] += f;
                 F[edge.second] -= f;
             }
-            // Nodal forces of a uniform tension in every triangle; inside the sheet they cancel, so what
-            // is left is the load on the rim. Half a side, turned by 90 degrees, for each corner.
+            // Nodal forces of a uniform tension in every triangle; inside the sheet they cancel, so
+            // what is left is the load on the rim. Half a side, turned by 90 degrees, for each
+            // corner.
             for (const auto& triangle : triangles_)
                 for (std::size_t k = 0; k < 3; ++k) {
-                    const Vec3 opposite = rest_[triangle[(k + 2) % 3]] - rest_[triangle[(k + 1) % 3]];
+                    const Vec3 opposite =
+                        rest_[triangle[(k + 2) % 3]] - rest_[triangle[(k + 1) % 3]];
                     F[triangle[k]].x() += line_tension * 0.5 * -opposite.y();
                 }
             Eigen::MatrixXd right(static_cast<Eigen::Index>(x_.size()), 3);
@@ -111,7 +115,8 @@ class Sheet {
         const auto& triangle = triangles_[triangles_.size() / 2];
         const auto sides = [&](const std::vector<Vec3>& x) {
             Eigen::Matrix2d m;
-            m << (x[triangle[1]] - x[triangle[0]]).head<2>(), (x[triangle[2]] - x[triangle[0]]).head<2>();
+            m << (x[triangle[1]] - x[triangle[0]]).head<2>(),
+                (x[triangle[2]] - x[triangle[0]]).head<2>();
             return m;
         };
         const Eigen::Matrix2d gradient = sides(x_) * sides(rest_).inverse();
@@ -139,8 +144,8 @@ TEST(Sheet, CreepsWithTheTwoTimesOfStretchAndShear) {
         const int n_steps = static_cast<int>(std::lround((at_s - t_s) / dt_s));
         sheet.creep(line_tension, dt_s, n_steps);
         t_s += n_steps * dt_s;
-        const double closed_form = (1.0 - std::exp(-t_s / tau1_s)) / 3.0 +
-                                   2.0 * (1.0 - std::exp(-t_s / tau2_s)) / 3.0;
+        const double closed_form =
+            (1.0 - std::exp(-t_s / tau1_s)) / 3.0 + 2.0 * (1.0 - std::exp(-t_s / tau2_s)) / 3.0;
         EXPECT_NEAR(closed_form, printed, 1e-3);
         const auto [along, across] = sheet.strain();
         EXPECT_NEAR(along / final_strain, closed_form, 0.01 * closed_form) << "at " << t_s << " s";

@@ -1,6 +1,5 @@
 // Motions and states of one cell that have a closed form.
 #include "engine/measures/field_functions.hpp"
-
 #include "tests/reference/dense_system.hpp"
 #include "tests/reference/made_up_cells.hpp"
 
@@ -65,8 +64,7 @@ TEST(CellAtRest, HasTheLaplacePressureOfItsMesh) {
         ASSERT_TRUE(advance_until(*adaptive_method(1e-3), system, state, 6.0).accepted);
         ASSERT_FALSE(evaluate());
         double speed_um_per_s = 0.0;
-        for (const Vec3& v : state.v_um_per_s)
-            speed_um_per_s = std::max(speed_um_per_s, v.norm());
+        for (const Vec3& v : state.v_um_per_s) speed_um_per_s = std::max(speed_um_per_s, v.norm());
         EXPECT_LT(speed_um_per_s, 1e-4);
         const Geometry& geometry = system.geometry();
         const double P_kPa = cytosol.pressure_kPa(system.configuration(), 0);
@@ -109,15 +107,15 @@ TEST(Breathing, EndsAtTheRadiusOfTheClosedForm) {
         System system(model, make_parts(values), 1);
         State state = rest_shape(model);
         ASSERT_TRUE(advance_until(*adaptive_method(1e-3), system, state, 3.0).accepted);
-        const double volume_um3 =
-            geometry_of(model, state.x_um, Need::volumes).volume_um3[0];
+        const double volume_um3 = geometry_of(model, state.x_um, Need::volumes).volume_um3[0];
         const double s = std::cbrt(volume_um3 / model.rest_volume_um3(0)) - 1.0;
         // Without the step of pressure the mesh's own relaxation is all: less than 2 % of it.
         EXPECT_NEAR(s, extra_kPa == 0.0 ? 0.0 : closed_form, 0.02 * closed_form);
     }
 }
 
-/// Times at which the volume strain crosses zero, by linear interpolation, and the strain at the end.
+/// Times at which the volume strain crosses zero, by linear interpolation, and the strain at the
+/// end.
 struct Oscillation {
     std::vector<double> crossings_s;
     double final_strain = 0.0;
@@ -138,10 +136,9 @@ Oscillation volume_oscillation(const char* method_name, double dt_s, double end_
     double before = -1.0, before_s = 0.0;
     while (state.time_s < end_s) {
         EXPECT_TRUE(method->advance(system, state, end_s, false).accepted);
-        EXPECT_FALSE(system.evaluate(state.x_um, state.volume_integral_s, 0.0,
-                                     System::Detail::forces));
-        const double strain =
-            system.parts().cytosol->volume_strain(system.configuration(), 0);
+        EXPECT_FALSE(
+            system.evaluate(state.x_um, state.volume_integral_s, 0.0, System::Detail::forces));
+        const double strain = system.parts().cytosol->volume_strain(system.configuration(), 0);
         if (before * strain < 0.0)
             oscillation.crossings_s.push_back(before_s + (state.time_s - before_s) * before /
                                                              (before - strain));
@@ -154,8 +151,8 @@ Oscillation volume_oscillation(const char* method_name, double dt_s, double end_
 
 TEST(VolumeController, SwingsWithThePeriodOfItsClosedLoopAndEndsAtTheTarget) {
     // (K T_d + 1/G) s^2 + K s + K/T_I = 0: s = -0.430 +- 2.695i, a period of 2.33 s.
-    const double G = 3.0 / k_R_um /
-                     (2.0 * 1.0 * k_thickness_um / (k_R_um * k_R_um) + 1.5 * 0.05 / k_R_um);
+    const double G =
+        3.0 / k_R_um / (2.0 * 1.0 * k_thickness_um / (k_R_um * k_R_um) + 1.5 * 0.05 / k_R_um);
     const double inertia = 5.0 * 1.1547 + 1.0 / G;
     const double decay = 5.0 / (2.0 * inertia);
     const double omega = std::sqrt(5.0 / 0.11547 / inertia - decay * decay);
@@ -213,8 +210,8 @@ TEST(Ellipsoid, RelaxesToTheSphereMonotonouslyAtTheRateOfTheLinearProblem) {
         reference::dense_drag(model, 0.05) +
         reference::dense_cortex(model, system.parts().frictions.edge_nN_s_per_um);
     EXPECT_LE(reference::largest(K - K.transpose()), 1e-5 * reference::largest(K));
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-        0.5 * (K + K.transpose()), gamma);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(0.5 * (K + K.transpose()),
+                                                                          gamma);
 
     // Five percent of the second mode: longer along x, thinner across.
     const Vec3 stretch(1.05, 1.0 / std::sqrt(1.05), 1.0 / std::sqrt(1.05));
@@ -223,8 +220,7 @@ TEST(Ellipsoid, RelaxesToTheSphereMonotonouslyAtTheRateOfTheLinearProblem) {
     const auto linear_elongation = [&](double t_s) {
         const Eigen::ArrayXd amplitude = (modes.eigenvectors().transpose() * gamma * u0).array() *
                                          (-t_s * modes.eigenvalues().array()).exp();
-        return elongation(
-            reference::unflat(at_rest + modes.eigenvectors() * amplitude.matrix()));
+        return elongation(reference::unflat(at_rest + modes.eigenvectors() * amplitude.matrix()));
     };
 
     state.has_velocity = false;
@@ -255,8 +251,8 @@ TEST(Ellipsoid, RelaxesToTheSphereMonotonouslyAtTheRateOfTheLinearProblem) {
         }
         before = now;
         linear_before = linear;
-        ASSERT_FALSE(system.evaluate(state.x_um, state.volume_integral_s, 0.0,
-                                     System::Detail::forces));
+        ASSERT_FALSE(
+            system.evaluate(state.x_um, state.volume_integral_s, 0.0, System::Detail::forces));
         const double now_fJ = system.energy_fJ();
         EXPECT_LE(now_fJ, energy_fJ * (1.0 + 1e-12));
         energy_fJ = now_fJ;

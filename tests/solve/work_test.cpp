@@ -1,5 +1,5 @@
-// What a step costs, counted: what a scene does not need costs exactly nothing, and the same scene with that
-// part costs what is predicted.
+// What a step costs, counted: what a scene does not need costs exactly nothing, and the same scene
+// with that part costs what is predicted.
 #include "tests/reference/made_up_cells.hpp"
 #include "tests/solve/allocation_counter.hpp"
 
@@ -69,8 +69,8 @@ TEST(Work, WithCortexViscosityIsOneFactorisationForTheWholeRun) {
 
 TEST(Work, WithCellsOfDifferentSizeIsOneFactorisationForEachSize) {
     Cluster cells{make_model(make_icosphere(42), {6.0, 5.0, 6.0}), {}};
-    cells.x_um = turned_cells(
-        cells.model, std::vector<Vec3>{Vec3::Zero(), Vec3(30, 0, 0), Vec3(0, 30, 0)}, 1);
+    cells.x_um = turned_cells(cells.model,
+                              std::vector<Vec3>{Vec3::Zero(), Vec3(30, 0, 0), Vec3(0, 30, 0)}, 1);
     PartValues values = drop_values();
     values.eta_kPa_s = 1.0;
     EXPECT_EQ(work_of("forward_euler", cells, values).factorisations, 2);
