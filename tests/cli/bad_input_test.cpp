@@ -1,0 +1,193 @@
+// Whatever is wrong with the input: one message that says where, the right exit code, and nothing
+// is written.
+#include "engine/store/run_file.hpp"
+#include "tests/cli/program_runner.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace spheroscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BadInput : public ProgramRunner {
+  protected:
+    /// Runs the scene; it must be refused with the code, at the place, with these words.
+    void expect_refused(const std::string& scene, const std::string& place,
+                        const std::string& words, int code = 2) const {
+        SCOPED_TRACE(words);
+        write_file("scene.toml", scene);
+        const Outcome outcome = call({"run", "scene.toml", "-o", "o", "--quiet"});
+        EXPECT_EQ(outcome.code, code) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_TRUE(outcome.err.starts_with(place + ": error: ")) << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        EXPECT_FALSE(fs::exists(path("o")));
+    }
+    /// The same for a call without a place in a scene.
+    void expect_refused(const std::vector<std::string>& arguments, const std::string& words,
+                        int code = 2) const {
+        SCOPED_TRACE(words);
+        const Outcome outcome = call(arguments);
+        EXPECT_EQ(outcome.code, code) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_NE(outcome.err.find("error: "), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+    static std::string changed(const std::string& what, const std::string& instead) {
+        return with(all_stages_scene(), what, instead);
+    }
+    /// The scene with its cells at these rows of x, y, z, radius instead of packed ones.
+    static std::string with_centres(const std::string& rows) {
+        std::string text = changed("arrangement = \"packing\"\ncount = 4",
+                                   "arrangement = \"centres\"\ncentres = " + rows);
+        const std::size_t anneal = text.find("[[stage]]\nkind = \"anneal\"");
+        return text.erase(anneal, text.find("[[stage]]\nkind = \"compact\"") - anneal);
+    }
+};
+
+TEST_F(BadInput, InAnyKeyOfASceneIsRefusedAtItsPlace) {
+    expect_refused(changed("seed = 3", "sed = 3"), "scene.toml:3:1", "seed");
+    expect_refused(changed("\"20 kPa\"", "\"20 um\""), "scene.toml:14:5", "20 um");
+    expect_refused(changed("count = 4", "count = 0"), "scene.toml:7:9", "count");
+    expect_refused(changed("count = 4", "count = -1"), "scene.toml:7:9", "count");
+    expect_refused(changed("nodes = 42", "nodes = 43"), "scene.toml:8:9", "43");
+    expect_refused(changed("omega = \"0.5", "omega = \"1.5"), "scene.toml:36:1", "allow_full_wetting");
+    expect_refused(changed("\"linearly_implicit\"", "\"leapfrog\""), "scene.toml:43:1",
+                   "there is no method 'leapfrog'");
+    expect_refused(changed("\"sigma_nn\"", "\"sigma_mm\""), "scene.toml:73:1",
+                   "there is no field 'sigma_mm'");
+    expect_refused(changed("size = [320, 200]", "size = [321, 200]"), "scene.toml:79:9", "321");
+}
+
+TEST_F(BadInput, OfAFieldWithoutItsPartNamesTheMissingTable) {
+    std::string text = changed("[cortex.elastic]\nE = \"20 kPa\"\n\n[cortex.bending]\n",
+                               "[cortex.bending]\nE = \"20 kPa\"\n");
+    expect_refused(text, "scene.toml:71:1", "the scene has no [cortex.elastic]");
+}
+
+TEST_F(BadInput, OfAnExpectedMeasureThatDoesNotExistIsRefusedBeforeTheRun) {
+    expect_refused(all_stages_scene() + "\n[expect]\nbeauty = { min = 1 }\n", "scene.toml:82:1",
+                   "there is no measure 'beauty'");
+}
+
+TEST_F(BadInput, IsFoundByCheckAsWell) {
+    for (const std::string& text :
+         {changed("\"linearly_implicit\"", "\"leapfrog\""), changed("\"sigma_nn\"", "\"sigma_mm\""),
+          all_stages_scene() + "\n[expect]\nbeauty = { min = 1 }\n"}) {
+        write_file("scene.toml", text);
+        const Outcome outcome = call({"check", "scene.toml", "--json"});
+        EXPECT_EQ(outcome.code, 2) << outcome.err;
+        EXPECT_EQ(nlohmann::json::parse(outcome.out)["valid"], false);
+    }
+}
+
+TEST_F(BadInput, OfCentresWithinEachOtherNamesTheCells) {
+    expect_refused(with_centres("[[0, 0, 0, 9], [0, 0, 1, 9]]"), "scene.toml:5:1",
+                   "cells 0 and 1 overlap");
+}
+
+TEST_F(BadInput, OnTheCommandLineIsRefusedByOneMessage) {
+    write_file("scene.toml", all_stages_scene());
+    write_file("a file", "text");
+    expect_refused({"run", "missing.toml"}, "missing.toml");
+    expect_refused({"run", "scene.toml", "--threads", "0"}, "--threads");
+    expect_refused({"run", "scene.toml", "-o", ""}, "--output");
+    expect_refused({"run", "scene.toml", "-o", "a file"}, "a file: cannot make this folder");
+    expect_refused({"run", "scene.toml", "-o", "a file/o"}, "cannot make this folder");
+    expect_refused({"run", "scene.toml", "--set", "nonsense"}, "--set wants key=value");
+    expect_refused({"run", "scene.toml", "--set", "cells.nose=42"}, "cells.nose");
+    expect_refused({"run", "scene.toml", "--time-limit", "soon"}, "--time-limit");
+    expect_refused({"run", "scene.toml", "--checkpoint-every", "0 s"}, "--checkpoint-every");
+    EXPECT_FALSE(fs::exists(path("out")));
+}
+
+TEST_F(BadInput, OfAFileThatIsNoRunIsRefusedByEveryReader) {
+    ASSERT_EQ(call({"run", "/dev/null"}).code, 2);
+    write_file("scene.toml", all_stages_scene());
+    ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+    fs::copy_file(path("o/run.h5"), path("cut.h5"));
+    fs::resize_file(path("cut.h5"), fs::file_size(path("cut.h5")) / 2);
+    fs::copy_file(path("o/run.checkpoint.h5"), path("foreign.h5"));
+    write_file("text.h5", "not HDF5 at all");
+    fs::create_directory(path("folder.h5"));
+    for (const std::string name : {"cut.h5", "foreign.h5", "text.h5", "folder.h5", "missing.h5"}) {
+        expect_refused({"info", name}, name);
+#ifdef SPHEROSCOPE_HAS_RENDER
+        expect_refused({"render", name}, name);
+        expect_refused({"movie", name}, name);
+#endif
+        const std::string cells = "arrangement = \"file\"\nfile = \"" + name + "\"";
+        std::string text = changed("arrangement = \"packing\"\ncount = 4", cells);
+        const std::size_t anneal = text.find("[[stage]]\nkind = \"anneal\"");
+        text.erase(anneal, text.find("[[stage]]\nkind = \"compact\"") - anneal);
+        fs::rename(path("o"), path("kept"));
+        expect_refused(text, "scene.toml:5:1", name);
+        fs::rename(path("kept"), path("o"));
+    }
+}
+
+TEST_F(BadInput, OfAFileThatIsNoRunIsNotOverwritten) {
+    write_file("scene.toml", all_stages_scene());
+    fs::create_directory(path("o"));
+    write_file("o/run.h5", "somebody's only copy");
+    EXPECT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 2);
+    EXPECT_EQ(fs::file_size(path("o/run.h5")), 20U);
+}
+
+TEST_F(BadInput, OfTooManyCellsForAPackingEndsWith3AndTheReason) {
+    write_file("scene.toml", with(changed("count = 4", "count = 13"), "packing_fraction = 0.4",
+                                  "packing_fraction = 0.60"));
+    const Outcome outcome = call({"run", "scene.toml", "-o", "o", "--quiet"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.err.find("scene.toml:47:1: touching beads overlap by"), std::string::npos)
+        << outcome.err;
+    const RunFileReader reader(path("o/run.h5").string());
+    EXPECT_EQ(reader.outcome(), "not packed");
+    EXPECT_FALSE(reader.is_complete());
+}
+
+TEST_F(BadInput, OfAStepFarTooLargeEndsWith3NamesTheCellAndLeavesTheLastGoodState) {
+    write_file("scene.toml", changed("name = \"linearly_implicit\"\ndt_max = \"0.1 s\"",
+                                     "name = \"forward_euler\"\ndt = \"0.5 s\""));
+    const Outcome outcome = call({"run", "scene.toml", "-o", "o", "--quiet"});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find("cell "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("scene.toml:43:1"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("the last good state is in o/run.checkpoint.h5"),
+              std::string::npos)
+        << outcome.err;
+    // It is a state to go on from: the same step fails again.
+    const Outcome again = call({"run", "scene.toml", "-o", "o", "--quiet", "--resume"});
+    EXPECT_EQ(again.code, 3);
+    EXPECT_EQ(again.err, outcome.err);
+}
+
+TEST_F(BadInput, OfAFullDiskEndsWith5AndTheReasonAndKeepsEveryFrameBefore) {
+    write_file("scene.toml", all_stages_scene());
+    ASSERT_EQ(call({"run", "scene.toml", "-o", "whole", "--quiet"}).code, 0);
+    const auto whole = fs::file_size(path("whole/run.h5"));
+    // ulimit -f counts blocks of 512 bytes
+    const Outcome outcome =
+        shell("ulimit -f " + std::to_string(whole / 2 / 512) +
+              "; exec \"$PROGRAM\" run scene.toml -o o --quiet");
+    EXPECT_EQ(outcome.code, 5) << outcome.err;
+    EXPECT_NE(outcome.err.find("store: o/run.h5: error: cannot"), std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("ulimit -f"), std::string::npos) << outcome.err;
+    const RunFileReader reader(path("o/run.h5").string());
+    EXPECT_GT(reader.n_frames(), 5);
+    EXPECT_LT(reader.n_frames(), 24);
+    EXPECT_EQ(reader.frame(reader.n_frames() - 1)->x_um.size(), 4U * 42U * 3U);
+    EXPECT_FALSE(reader.is_complete());
+    for (const std::string& name : names_in("o"))
+        EXPECT_TRUE(name == "run.h5" || name == "run.checkpoint.h5" ||
+                    name == "run.checkpoint.1.h5")
+            << name;
+    // With room again it goes on.
+    EXPECT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet", "--resume"}).code, 0);
+    EXPECT_EQ(RunFileReader(path("o/run.h5").string()).n_frames(), 24);
+}
+
+}  // namespace
+}  // namespace spheroscope

@@ -1,0 +1,146 @@
+// Signals, time limits, and what becomes of a run that is there already.
+#include "engine/store/run_file.hpp"
+#include "tests/cli/program_runner.hpp"
+#include "tests/cli/same_frames.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace spheroscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Words = std::vector<std::string>;
+
+class InterruptedRun : public ProgramRunner {
+  protected:
+    InterruptedRun() {
+        write_file("scene.toml", all_stages_scene());
+        // The last stage would take hours: nothing but a signal ends this one in time.
+        write_file("endless.toml",
+                   with(with(all_stages_scene(), "duration = \"2 s\"\nevery = \"0.5 s\"",
+                             "duration = \"100000 s\"\nevery = \"0.5 s\""),
+                        "dt_max = \"0.1 s\"", "dt_max = \"0.1 s\"\ntolerance = \"0 um\""));
+    }
+    /// Waits until the run in `folder` has `n` frames.
+    void wait_for_frames(const std::string& folder, int n) const {
+        const std::string file = path(folder + "/run.h5").string();
+        for (int i = 0; i < 2000; ++i) {
+            if (fs::exists(file) && RunFileReader(file).n_frames() >= n) return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        FAIL() << "no " << n << " frames came";
+    }
+    [[nodiscard]] static std::string hash_of(const Outcome& outcome) {
+        return nlohmann::json::parse(outcome.out).at("state_hash");
+    }
+};
+
+TEST_F(InterruptedRun, EndsWith130Or143AfterACheckpoint) {
+    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+        const std::string folder = std::to_string(code);
+        const pid_t process =
+            start({"run", "endless.toml", "-o", folder, "--quiet", "--threads", "1"});
+        wait_for_frames(folder, 6);
+        kill(process, signal);
+        const Outcome outcome = wait_for(process);
+        EXPECT_EQ(outcome.code, code) << outcome.err;
+        EXPECT_NE(outcome.out.find("outcome              stopped\n"), std::string::npos);
+        EXPECT_TRUE(fs::exists(path(folder + "/run.checkpoint.h5")));
+        const RunFileReader reader(path(folder + "/run.h5").string());
+        EXPECT_EQ(reader.outcome(), "stopped");
+        EXPECT_FALSE(reader.is_complete());
+    }
+}
+
+TEST_F(InterruptedRun, ThatIsResumedEndsInTheSameBits) {
+    const Outcome whole = call({"run", "scene.toml", "-o", "whole", "--quiet", "--json"});
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    const pid_t process = start({"run", "scene.toml", "-o", "o", "--quiet", "--threads", "1"});
+    wait_for_frames("o", 3);
+    kill(process, SIGINT);
+    static_cast<void>(wait_for(process));
+    const Outcome resumed =
+        call({"run", "scene.toml", "-o", "o", "--quiet", "--json", "--resume"});
+    ASSERT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_EQ(hash_of(resumed), hash_of(whole));
+    const RunFileReader a(path("whole/run.h5").string()), b(path("o/run.h5").string());
+    ASSERT_EQ(a.n_frames(), b.n_frames());
+    EXPECT_EQ(difference(a, b, a.n_frames()), "");
+}
+
+TEST_F(InterruptedRun, EndsAtOnceWithASecondSignalOfEitherKind) {
+    // Steps of this run are long, so that the first signal still waits for the end of one when the
+    // second comes; where it does not, the run has stopped in good order, and another try follows.
+    write_file("slow.toml", with(all_stages_scene(), "nodes = 42", "nodes = 2562"));
+    int n_tries = 0;
+    for (const int second : {SIGINT, SIGTERM}) {
+        Outcome outcome;
+        for (int i = 0; i < 10 && outcome.signal == 0; ++i) {
+            const std::string folder = std::to_string(++n_tries);
+            const pid_t process = start({"run", "slow.toml", "-o", folder, "--quiet"});
+            wait_for_frames(folder, 5);
+            kill(process, SIGINT);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            kill(process, second);
+            outcome = wait_for(process);
+        }
+        EXPECT_EQ(outcome.signal, second);
+    }
+}
+
+TEST_F(InterruptedRun, IsNotOverwrittenUnlessOneSaysSo) {
+    const pid_t process =
+        start({"run", "endless.toml", "-o", "o", "--quiet", "--checkpoint-every", "1 h"});
+    wait_for_frames("o", 3);
+    kill(process, SIGKILL);  // before any checkpoint but those between stages
+    static_cast<void>(wait_for(process));
+    const int n_frames = RunFileReader(path("o/run.h5").string()).n_frames();
+    const Outcome refused = call({"run", "scene.toml", "-o", "o", "--quiet"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_EQ(refused.err,
+              "error: o/run.h5: an unfinished run is there\n"
+              "  hint: --resume goes on with it, --overwrite begins anew, -o writes elsewhere\n");
+    EXPECT_EQ(RunFileReader(path("o/run.h5").string()).n_frames(), n_frames);
+    const Outcome other = call({"run", "scene.toml", "-o", "o", "--quiet", "--resume"});
+    EXPECT_EQ(other.code, 2);  // the run of another scene
+    EXPECT_EQ(RunFileReader(path("o/run.h5").string()).n_frames(), n_frames);
+    EXPECT_EQ(call({"run", "scene.toml", "-o", "o", "--resume", "--overwrite"}).code, 2);
+    const Outcome anew = call({"run", "scene.toml", "-o", "o", "--quiet", "--overwrite"});
+    EXPECT_EQ(anew.code, 0) << anew.err;
+    EXPECT_TRUE(RunFileReader(path("o/run.h5").string()).is_complete());
+}
+
+TEST_F(InterruptedRun, ThatIsFinishedSaysSoWhenItIsResumed) {
+    const Outcome whole = call({"run", "scene.toml", "-o", "o", "--quiet", "--json"});
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    const auto written = fs::last_write_time(path("o/run.h5"));
+    const Outcome again = call({"run", "scene.toml", "-o", "o", "--json", "--resume"});
+    EXPECT_EQ(again.code, 0);
+    EXPECT_EQ(again.err, "info: o/run.h5: this run is finished; nothing is left to do\n");
+    EXPECT_EQ(hash_of(again), hash_of(whole));
+    EXPECT_EQ(nlohmann::json::parse(again.out)["totals"],
+              nlohmann::json::parse(whole.out)["totals"]);
+    EXPECT_EQ(fs::last_write_time(path("o/run.h5")), written);
+    const Outcome other =
+        call({"run", "scene.toml", "-o", "o", "--quiet", "--resume", "--seed", "8"});
+    EXPECT_EQ(other.code, 2) << other.err;
+}
+
+TEST_F(InterruptedRun, StopsAtItsTimeLimitWithACheckpointAndCode3) {
+    const Outcome outcome =
+        call({"run", "endless.toml", "-o", "o", "--quiet", "--time-limit", "0.2 s"});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_NE(outcome.out.find("outcome              time limit\n"), std::string::npos);
+    EXPECT_TRUE(fs::exists(path("o/run.checkpoint.h5")));
+    const Outcome more = call(
+        {"run", "endless.toml", "-o", "o", "--quiet", "--time-limit", "0.1 s", "--resume"});
+    EXPECT_EQ(more.code, 3) << more.err;
+}
+
+}  // namespace
+}  // namespace spheroscope

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace spheroscope {
+
+/// How a call of the program ended.
+struct Outcome {
+    int code = -1;    ///< exit code, or -1 if a signal ended it
+    int signal = 0;   ///< that signal
+    std::string out, err;
+};
+
+/// Runs the program as a shell or a user would: as a process of its own, in a folder of its own (with
+/// a space in its name) that is gone when the test is over.
+class ProgramRunner : public testing::Test {
+  protected:
+    ProgramRunner();
+    ~ProgramRunner() override;
+
+    /// Starts the program with these arguments; the process is this test's own child.
+    [[nodiscard]] pid_t start(const std::vector<std::string>& arguments) const;
+    /// Waits for it to end.
+    [[nodiscard]] Outcome wait_for(pid_t process) const;
+    [[nodiscard]] Outcome call(const std::vector<std::string>& arguments) const {
+        return wait_for(start(arguments));
+    }
+    /// A command of the shell, with $PROGRAM as the program, in the folder.
+    [[nodiscard]] Outcome shell(const std::string& command) const;
+
+    void write_file(const std::string& name, const std::string& text) const;
+    [[nodiscard]] std::filesystem::path path(const std::string& name) const {
+        return folder_ / name;
+    }
+    /// Names in a folder of the test, sorted; empty if it is not there.
+    [[nodiscard]] std::vector<std::string> names_in(const std::string& name) const;
+
+  private:
+    const std::filesystem::path folder_;
+};
+
+/// Four cells of 42 nodes through all kinds of stages; a third of a second on one core.
+[[nodiscard]] std::string all_stages_scene();
+
+/// The text with its first `what` replaced; a test that asks for something that is not there fails.
+[[nodiscard]] std::string with(std::string text, const std::string& what,
+                               const std::string& instead);
+
+}  // namespace spheroscope
