@@ -47,7 +47,8 @@ PlanRow term_row(const scene::Scene& scene, const ForceTermRow& term) {
     if (name == "cortex.bending") return table_row(name, term.equation, cortex.bending, name);
     if (name == "cortex.tension") return table_row(name, term.equation, cortex.tension, name);
     if (name == "cytosol") return table_row(name, term.equation, scene.cytosol, name);
-    if (name == "body_force") return table_row(name, term.equation, scene.body_force, name);
+    if (name == "body_force")
+        return table_row(name, term.equation, scene.body_force, "load.body_force");
     if (name == "stage.compact") return wall_row(scene, term);
     SPHEROSCOPE_ASSERT(name.starts_with("cortex.regularisation."), name);
     return regularisation_row(scene, term);
