@@ -106,11 +106,10 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
     if (is_run_file(arguments.input)) {
         folder = arguments.common.output.empty() ? fs::path(arguments.input).parent_path()
                                                  : fs::path(arguments.common.output);
-        pictures = choose(pictures_of(RunFileReader(run_file), arguments.common),
-                          arguments.picture);
+        pictures =
+            choose(pictures_of(RunFileReader(run_file), arguments.common), arguments.picture);
     } else {
-        const scene::Scene scene =
-            scene::load_scene(arguments.input, arguments.common.overrides());
+        const scene::Scene scene = scene::load_scene(arguments.input, arguments.common.overrides());
         for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
         if (scene.pictures.empty())
             throw Error(Loc{arguments.input, 0, 0}, "a movie needs at least one [[picture]]",
@@ -122,8 +121,8 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
         if (!arguments.overwrite && has_finished_run(place, scene)) {
             spdlog::info("{} holds this run already", run_file);
         } else {
-            const cli::SimulationSummary summary = cli::simulate(
-                scene, place, arguments.common, arguments.overwrite, invocation);
+            const cli::SimulationSummary summary =
+                cli::simulate(scene, place, arguments.common, arguments.overwrite, invocation);
             outcome.code = summary.code;
             outcome.document["run"] = cli::summary_json(summary, place);
             outcome.text += cli::summary_text(summary, place);
@@ -136,11 +135,12 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
     }
     if (is_drawn) {
         const RunFileReader reader(run_file);
-        if (reader.n_frames() > 0)
-            draw(reader, pictures, folder, arguments.common.quiet, outcome);
+        if (reader.n_frames() > 0) draw(reader, pictures, folder, arguments.common.quiet, outcome);
     }
-    if (arguments.common.json) cli::print_json(outcome.document);
-    else fmt::print("{}", outcome.text);
+    if (arguments.common.json)
+        cli::print_json(outcome.document);
+    else
+        fmt::print("{}", outcome.text);
     return outcome.code;
 }
 
@@ -157,12 +157,11 @@ cli::Verb movie_verb() {
                                    "name of a [[picture]], or 'all'; default: the first");
                 command.add_flag("--overwrite", arguments->overwrite,
                                  "simulate anew, also where a run is");
-                cli::add_common_options(
-                    command, arguments->common,
-                    {CommonOption::output, CommonOption::threads, CommonOption::seed,
-                     CommonOption::set, CommonOption::json, CommonOption::quiet,
-                     CommonOption::resume, CommonOption::time_limit,
-                     CommonOption::checkpoint_every});
+                cli::add_common_options(command, arguments->common,
+                                        {CommonOption::output, CommonOption::threads,
+                                         CommonOption::seed, CommonOption::set, CommonOption::json,
+                                         CommonOption::quiet, CommonOption::resume,
+                                         CommonOption::time_limit, CommonOption::checkpoint_every});
                 return [arguments](const cli::Invocation& invocation) {
                     return movie(*arguments, invocation);
                 };

@@ -141,8 +141,8 @@ SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene&
     SimulationSummary summary;
     RunResult& result = summary.result;
     result.outcome = reader.outcome();
-    result.verdict = result.outcome == name_of(StageEnd::cap) ? RunVerdict::cap
-                                                              : RunVerdict::finished;
+    result.verdict =
+        result.outcome == name_of(StageEnd::cap) ? RunVerdict::cap : RunVerdict::finished;
     result.wall_s = reader.end().wall_time_s;
     result.frames = reader.n_frames();
     result.state_hash = engine.state().state.hash();
@@ -204,8 +204,8 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     };
     sinks.progress = [&](const RunProgress& p) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        progress.update({std::string(p.stage_name), p.stage_progress, p.time_s,
-                         p.dt_s > 0.0 ? p.dt_s : none});
+        progress.update(
+            {std::string(p.stage_name), p.stage_progress, p.time_s, p.dt_s > 0.0 ? p.dt_s : none});
     };
 
     SimulationSummary summary;
@@ -233,13 +233,14 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
         store.finish({is_over(result.verdict), result.outcome, result.wall_s});
         const RunFileReader reader(place.run_file());
         write_xdmf(reader);
-        if (!store.last()) take_from_file(reader, scene, summary);
+        if (!store.last())
+            take_from_file(reader, scene, summary);
         else if (is_over(result.verdict))
             summary.expectations = check_expectations(scene, *store.last());
     }
     if (result.verdict == RunVerdict::unstable && fs::exists(checkpoint_path(place.run_file())))
-        result.message += "\n  hint: the last good state is in " +
-                          checkpoint_path(place.run_file());
+        result.message +=
+            "\n  hint: the last good state is in " + checkpoint_path(place.run_file());
     summary.code = exit_code(summary, store.failure());
     return summary;
 }
@@ -248,10 +249,11 @@ std::string summary_text(const SimulationSummary& summary, const RunPlace& place
     const RunResult& r = summary.result;
     std::string text = fmt::format("outcome              {}\n", r.outcome);
     if (!r.message.empty()) text += fmt::format("because              {}\n", r.message);
-    text += fmt::format("model time           {:.4g} s\nwall time            {}\nframes               {}\n",
-                        r.time_s, duration_text(r.wall_s), r.frames);
-    text += fmt::format("steps                {} ({} rejected)\n", r.work.steps,
-                        r.work.rejected_steps);
+    text += fmt::format(
+        "model time           {:.4g} s\nwall time            {}\nframes               {}\n",
+        r.time_s, duration_text(r.wall_s), r.frames);
+    text +=
+        fmt::format("steps                {} ({} rejected)\n", r.work.steps, r.work.rejected_steps);
     text += totals_text(r.totals);
     for (const Expectation& row : summary.expectations)
         text += fmt::format("expect {:<22} {} in [{:.6g}, {:.6g}] {}: {}\n", row.measure,

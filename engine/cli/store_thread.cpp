@@ -26,8 +26,7 @@ void StoreThread::write_all(FrameQueue::Reader& reader) {
         } catch (const Error& error) {
             return fail(reader, error.what(), error.code());
         } catch (const std::exception& error) {
-            return fail(reader, std::string("internal error: ") + error.what(),
-                        ExitCode::internal);
+            return fail(reader, std::string("internal error: ") + error.what(), ExitCode::internal);
         }
         ++n_written_;
         last_ = std::move(frame);

@@ -19,14 +19,15 @@ struct RunArguments {
 };
 
 ExitCode run(const RunArguments& arguments, const Invocation& invocation) {
-    const scene::Scene scene =
-        scene::load_scene(arguments.scene, arguments.common.overrides());
+    const scene::Scene scene = scene::load_scene(arguments.scene, arguments.common.overrides());
     for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
     const RunPlace place = run_place(arguments.scene, arguments.common);
     const SimulationSummary summary =
         simulate(scene, place, arguments.common, arguments.overwrite, invocation);
-    if (arguments.common.json) print_json(summary_json(summary, place));
-    else fmt::print("{}", summary_text(summary, place));
+    if (arguments.common.json)
+        print_json(summary_json(summary, place));
+    else
+        fmt::print("{}", summary_text(summary, place));
     if (!summary.result.message.empty()) spdlog::error("{}", summary.result.message);
     return summary.code;
 }

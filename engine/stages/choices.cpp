@@ -50,8 +50,8 @@ std::vector<const Field*> chosen_fields(const scene::Scene& scene) {
                         "fields are:" + names_of(all_fields()));
         if (!has_part_of(scene, *field))
             throw Error(scene.measures.loc,
-                        "measures.fields: '" + name +
-                            "' means nothing here: the scene has no " + std::string(part_of(*field)),
+                        "measures.fields: '" + name + "' means nothing here: the scene has no " +
+                            std::string(part_of(*field)),
                         "it is " + std::string(field->description));
         fields.push_back(field);
     }

@@ -14,17 +14,18 @@ namespace {
 /// The scene line, or that nobody wrote one.
 std::string place(const Loc& loc) { return loc.line > 0 ? loc.text() : "by default"; }
 
-template <class Part>
-PlanRow table_row(std::string_view part, std::string_view equation,
-                  const std::optional<Part>& table, const std::string& table_name) {
+template <class Part> PlanRow table_row(std::string_view part, std::string_view equation,
+                                        const std::optional<Part>& table,
+                                        const std::string& table_name) {
     return {std::string(part), std::string(equation), table.has_value(),
             table ? place(table->loc) : "no [" + table_name + "]"};
 }
 
 PlanRow wall_row(const scene::Scene& scene, const ForceTermRow& term) {
-    const auto compact = std::find_if(
-        scene.stages.begin(), scene.stages.end(),
-        [](const scene::Stage& stage) { return stage.kind == scene::StageKind::compact; });
+    const auto compact =
+        std::find_if(scene.stages.begin(), scene.stages.end(), [](const scene::Stage& stage) {
+            return stage.kind == scene::StageKind::compact;
+        });
     const bool is_in = compact != scene.stages.end();
     return {std::string(term.name), std::string(term.equation), is_in,
             is_in ? place(compact->loc) : "no [[stage]] with kind = \"compact\""};
@@ -77,8 +78,8 @@ PlanRow volume_friction_row(const scene::Scene& scene) {
 
 void add_frictions(const scene::Scene& scene, std::vector<PlanRow>& rows) {
     rows.push_back(table_row("medium", "(14)", scene.medium, "medium"));
-    rows.push_back(table_row("cortex.viscosity", "(15), (16)", scene.cortex.viscosity,
-                             "cortex.viscosity"));
+    rows.push_back(
+        table_row("cortex.viscosity", "(15), (16)", scene.cortex.viscosity, "cortex.viscosity"));
     rows.push_back(contact_friction_row(scene));
     rows.push_back(volume_friction_row(scene));
 }
@@ -97,8 +98,8 @@ void add_solution(const scene::Scene& scene, std::vector<PlanRow>& rows) {
                      place(scene.cortex.viscosity->loc) + ") without [contact.friction]";
         break;
     case FrictionShape::changing:
-        shape_text = "new in each step: [contact.friction] (" +
-                     place(scene.contact->friction_loc) + ")";
+        shape_text =
+            "new in each step: [contact.friction] (" + place(scene.contact->friction_loc) + ")";
         break;
     }
     rows.push_back({"friction matrix", "", true, shape_text});
@@ -112,7 +113,7 @@ void add_solution(const scene::Scene& scene, std::vector<PlanRow>& rows) {
     } else {
         direct.is_in = shape == FrictionShape::fixed;
         iterative.is_in = shape == FrictionShape::changing;
-        direct.because = direct.is_in ? "the friction matrix is the same in all steps"
+        direct.because = direct.is_in      ? "the friction matrix is the same in all steps"
                          : iterative.is_in ? "the friction matrix is new in each step"
                                            : "a diagonal matrix needs a division only";
         iterative.because = iterative.is_in ? "the friction matrix is new in each step"
@@ -123,8 +124,7 @@ void add_solution(const scene::Scene& scene, std::vector<PlanRow>& rows) {
     rows.push_back(iterative);
     for (const MethodRow& row : all_methods())
         rows.push_back({"method " + std::string(row.name), "", &row == &method,
-                        &row == &method ? place(scene.method.loc)
-                                        : "another one is chosen"});
+                        &row == &method ? place(scene.method.loc) : "another one is chosen"});
 }
 
 std::string reason_for_field(const scene::Scene& scene, const std::string& name) {
@@ -139,8 +139,10 @@ void add_fields(const scene::Scene& scene, std::vector<PlanRow>& rows) {
     for (const Field& field : all_fields()) {
         const bool is_in = std::find(wanted.begin(), wanted.end(), &field) != wanted.end();
         std::string because = "not in measures.fields, and no picture shows it";
-        if (is_in) because = reason_for_field(scene, std::string(field.name));
-        else if (!has_part_of(scene, field)) because = "no " + std::string(part_of(field));
+        if (is_in)
+            because = reason_for_field(scene, std::string(field.name));
+        else if (!has_part_of(scene, field))
+            because = "no " + std::string(part_of(field));
         rows.push_back({"field " + std::string(field.name), "", is_in, because});
     }
 }
@@ -154,9 +156,9 @@ std::vector<PlanRow> explain(const scene::Scene& scene) {
     add_solution(scene, rows);
     add_fields(scene, rows);
     for (std::size_t i = 0; i < scene.stages.size(); ++i)
-        rows.push_back({"stage " + std::to_string(i) + ", " +
-                            std::string(name_of(scene.stages[i].kind)),
-                        "", true, place(scene.stages[i].loc)});
+        rows.push_back(
+            {"stage " + std::to_string(i) + ", " + std::string(name_of(scene.stages[i].kind)), "",
+             true, place(scene.stages[i].loc)});
     for (const scene::Picture& picture : scene.pictures)
         rows.push_back({"picture " + picture.name, "", true, place(picture.loc)});
     if (scene.pictures.empty()) rows.push_back({"pictures", "", false, "no [[picture]]"});

@@ -52,7 +52,8 @@ TEST_F(BadInput, InAnyKeyOfASceneIsRefusedAtItsPlace) {
     expect_refused(changed("count = 4", "count = 0"), "scene.toml:7:9", "count");
     expect_refused(changed("count = 4", "count = -1"), "scene.toml:7:9", "count");
     expect_refused(changed("nodes = 42", "nodes = 43"), "scene.toml:8:9", "43");
-    expect_refused(changed("omega = \"0.5", "omega = \"1.5"), "scene.toml:36:1", "allow_full_wetting");
+    expect_refused(changed("omega = \"0.5", "omega = \"1.5"), "scene.toml:36:1",
+                   "allow_full_wetting");
     expect_refused(changed("\"linearly_implicit\"", "\"leapfrog\""), "scene.toml:43:1",
                    "there is no method 'leapfrog'");
     expect_refused(changed("\"sigma_nn\"", "\"sigma_mm\""), "scene.toml:73:1",
@@ -103,7 +104,7 @@ TEST_F(BadInput, OnTheCommandLineIsRefusedByOneMessage) {
 }
 
 TEST_F(BadInput, OfAFileThatIsNoRunIsRefusedByEveryReader) {
-    ASSERT_EQ(call({"run", "/dev/null"}).code, 2);
+    const bool has_pictures = call({"--help"}).out.find("\n  movie ") != std::string::npos;
     write_file("scene.toml", all_stages_scene());
     ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
     fs::copy_file(path("o/run.h5"), path("cut.h5"));
@@ -113,10 +114,10 @@ TEST_F(BadInput, OfAFileThatIsNoRunIsRefusedByEveryReader) {
     fs::create_directory(path("folder.h5"));
     for (const std::string name : {"cut.h5", "foreign.h5", "text.h5", "folder.h5", "missing.h5"}) {
         expect_refused({"info", name}, name);
-#ifdef SPHEROSCOPE_HAS_RENDER
-        expect_refused({"render", name}, name);
-        expect_refused({"movie", name}, name);
-#endif
+        if (has_pictures) {
+            expect_refused({"render", name}, name);
+            expect_refused({"movie", name}, name);
+        }
         const std::string cells = "arrangement = \"file\"\nfile = \"" + name + "\"";
         std::string text = changed("arrangement = \"packing\"\ncount = 4", cells);
         const std::size_t anneal = text.find("[[stage]]\nkind = \"anneal\"");
@@ -154,8 +155,7 @@ TEST_F(BadInput, OfAStepFarTooLargeEndsWith3NamesTheCellAndLeavesTheLastGoodStat
     EXPECT_EQ(outcome.code, 3) << outcome.err;
     EXPECT_NE(outcome.err.find("cell "), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("scene.toml:43:1"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("the last good state is in o/run.checkpoint.h5"),
-              std::string::npos)
+    EXPECT_NE(outcome.err.find("the last good state is in o/run.checkpoint.h5"), std::string::npos)
         << outcome.err;
     // It is a state to go on from: the same step fails again.
     const Outcome again = call({"run", "scene.toml", "-o", "o", "--quiet", "--resume"});
@@ -168,12 +168,10 @@ TEST_F(BadInput, OfAFullDiskEndsWith5AndTheReasonAndKeepsEveryFrameBefore) {
     ASSERT_EQ(call({"run", "scene.toml", "-o", "whole", "--quiet"}).code, 0);
     const auto whole = fs::file_size(path("whole/run.h5"));
     // ulimit -f counts blocks of 512 bytes
-    const Outcome outcome =
-        shell("ulimit -f " + std::to_string(whole / 2 / 512) +
-              "; exec \"$PROGRAM\" run scene.toml -o o --quiet");
+    const Outcome outcome = shell("ulimit -f " + std::to_string(whole / 2 / 512) +
+                                  "; exec \"$PROGRAM\" run scene.toml -o o --quiet");
     EXPECT_EQ(outcome.code, 5) << outcome.err;
-    EXPECT_NE(outcome.err.find("store: o/run.h5: error: cannot"), std::string::npos)
-        << outcome.err;
+    EXPECT_NE(outcome.err.find("store: o/run.h5: error: cannot"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("ulimit -f"), std::string::npos) << outcome.err;
     const RunFileReader reader(path("o/run.h5").string());
     EXPECT_GT(reader.n_frames(), 5);

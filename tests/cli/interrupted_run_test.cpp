@@ -3,10 +3,11 @@
 #include "tests/cli/program_runner.hpp"
 #include "tests/cli/same_frames.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 namespace spheroscope {
@@ -64,8 +65,7 @@ TEST_F(InterruptedRun, ThatIsResumedEndsInTheSameBits) {
     wait_for_frames("o", 3);
     kill(process, SIGINT);
     static_cast<void>(wait_for(process));
-    const Outcome resumed =
-        call({"run", "scene.toml", "-o", "o", "--quiet", "--json", "--resume"});
+    const Outcome resumed = call({"run", "scene.toml", "-o", "o", "--quiet", "--json", "--resume"});
     ASSERT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_EQ(hash_of(resumed), hash_of(whole));
     const RunFileReader a(path("whole/run.h5").string()), b(path("o/run.h5").string());
@@ -137,8 +137,8 @@ TEST_F(InterruptedRun, StopsAtItsTimeLimitWithACheckpointAndCode3) {
     EXPECT_EQ(outcome.code, 3) << outcome.err;
     EXPECT_NE(outcome.out.find("outcome              time limit\n"), std::string::npos);
     EXPECT_TRUE(fs::exists(path("o/run.checkpoint.h5")));
-    const Outcome more = call(
-        {"run", "endless.toml", "-o", "o", "--quiet", "--time-limit", "0.1 s", "--resume"});
+    const Outcome more =
+        call({"run", "endless.toml", "-o", "o", "--quiet", "--time-limit", "0.1 s", "--resume"});
     EXPECT_EQ(more.code, 3) << more.err;
 }
 

@@ -3,10 +3,11 @@
 #include "tests/cli/program_runner.hpp"
 #include "tests/cli/same_frames.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <chrono>
 #include <csignal>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
 
@@ -23,10 +24,9 @@ class KilledRun : public ProgramRunner {
 
     [[nodiscard]] static std::vector<std::string> run(const std::string& folder,
                                                       const std::vector<std::string>& more = {}) {
-        std::vector<std::string> arguments{"run",     "scene.toml", "-o",
-                                           folder,    "--threads",  "1",
-                                           "--quiet", "--json",     "--checkpoint-every",
-                                           "1 ms"};
+        std::vector<std::string> arguments{
+            "run",    "scene.toml",         "-o",  folder, "--threads", "1", "--quiet",
+            "--json", "--checkpoint-every", "1 ms"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return arguments;
     }
@@ -107,8 +107,8 @@ TEST_F(KilledRun, ThatIsKilledAgainWhileItResumesStillEndsInTheSameBits) {
 TEST_F(KilledRun, ThatWasNotKilledHasTheSameStateOnAnyNumberOfThreads) {
     std::string first;
     for (const std::string n : {"1", "2", "3", "16"}) {
-        const Outcome outcome = call({"run", "scene.toml", "-o", "o", "--quiet", "--json",
-                                      "--overwrite", "--threads", n});
+        const Outcome outcome = call(
+            {"run", "scene.toml", "-o", "o", "--quiet", "--json", "--overwrite", "--threads", n});
         ASSERT_EQ(outcome.code, 0) << outcome.err;
         if (first.empty()) first = hash_of(outcome);
         EXPECT_EQ(hash_of(outcome), first) << n << " threads";

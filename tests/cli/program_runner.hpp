@@ -11,13 +11,13 @@ namespace spheroscope {
 
 /// How a call of the program ended.
 struct Outcome {
-    int code = -1;    ///< exit code, or -1 if a signal ended it
-    int signal = 0;   ///< that signal
+    int code = -1;   ///< exit code, or -1 if a signal ended it
+    int signal = 0;  ///< that signal
     std::string out, err;
 };
 
-/// Runs the program as a shell or a user would: as a process of its own, in a folder of its own (with
-/// a space in its name) that is gone when the test is over.
+/// Runs the program as a shell or a user would: as a process of its own, in a folder of its own
+/// (with a space in its name) that is gone when the test is over.
 class ProgramRunner : public testing::Test {
   protected:
     ProgramRunner();

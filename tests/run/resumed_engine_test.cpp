@@ -72,8 +72,8 @@ struct Record {
     std::map<int, int> stops_in_stage;
 };
 
-/// Runs the scene to its end in one go, or stops it after every `steps_between_stops` reports, saves its
-/// state, and goes on with a new engine from what was saved.
+/// Runs the scene to its end in one go, or stops it after every `steps_between_stops` reports,
+/// saves its state, and goes on with a new engine from what was saved.
 Record run_scene(const scene::Scene& scene, int steps_between_stops) {
     Record record;
     std::optional<CheckpointData> saved;

@@ -28,7 +28,8 @@ kind = "relax"
 duration = "0.01 s"
 )";
 
-/// Scenes from the least to the most that one can have; the later tables come behind the same start.
+/// Scenes from the least to the most that one can have; the later tables come behind the same
+/// start.
 const std::vector<std::string>& scenes() {
     static const std::string viscosity = "[cortex.viscosity]\neta = \"1 kPa s\"\n";
     static const std::string contact =

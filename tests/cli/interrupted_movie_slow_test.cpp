@@ -1,0 +1,81 @@
+// A movie that is interrupted, or cannot be made, leaves its finished pictures and nothing by
+// halves.
+#include "engine/store/run_file.hpp"
+#include "tests/cli/program_runner.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace spheroscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+class InterruptedMovie : public ProgramRunner {
+  protected:
+    void SetUp() override {
+        if (call({"--help"}).out.find("\n  movie ") == std::string::npos)
+            GTEST_SKIP() << "built without pictures";
+        write_file("scene.toml", all_stages_scene());
+        ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+    }
+    /// Every picture that is there is a whole one, and nothing else is there.
+    void expect_only_pictures(std::size_t n_at_most) const {
+        const std::vector<std::string> names = names_in("o/frames/main");
+        EXPECT_LE(names.size(), n_at_most);
+        for (const std::string& name : names) EXPECT_TRUE(name.ends_with(".png")) << name;
+    }
+};
+
+TEST_F(InterruptedMovie, WithoutFfmpegEndsWith5AndKeepsAllPictures) {
+    const Outcome outcome = shell("PATH=/nowhere exec \"$PROGRAM\" movie scene.toml -o o --quiet");
+    EXPECT_EQ(outcome.code, 5) << outcome.err;
+    EXPECT_NE(outcome.err.find("ffmpeg"), std::string::npos) << outcome.err;
+    EXPECT_EQ(names_in("o/frames/main").size(), 24U);
+    expect_only_pictures(24);
+    EXPECT_FALSE(fs::exists(path("o/main.mp4")));
+}
+
+TEST_F(InterruptedMovie, WhileItDrawsEndsWith130And143AndGoesOnWithThePicturesItHas) {
+    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+        fs::remove_all(path("o/frames"));
+        const pid_t process = start({"movie", "scene.toml", "-o", "o", "--quiet"});
+        for (int i = 0; i < 2000 && names_in("o/frames/main").size() < 3; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        kill(process, signal);
+        const Outcome outcome = wait_for(process);
+        EXPECT_EQ(outcome.code, code) << outcome.err;
+        expect_only_pictures(23);
+        EXPECT_FALSE(fs::exists(path("o/main.mp4")));
+    }
+    const std::size_t n_there = names_in("o/frames/main").size();
+    const Outcome movie = call({"movie", "scene.toml", "-o", "o", "--quiet", "--json"});
+    EXPECT_EQ(movie.code, 0) << movie.err;
+    EXPECT_TRUE(fs::exists(path("o/main.mp4")));
+    EXPECT_EQ(nlohmann::json::parse(movie.out)["movies"][0]["drawn"], 24 - n_there);
+}
+
+TEST_F(InterruptedMovie, OfARunThatIsNotThereYetIsNotDrawnUntilTheRunIsFinished) {
+    write_file("endless.toml", with(all_stages_scene(), "duration = \"2 s\"\nevery = \"0.5 s\"",
+                                    "duration = \"100000 s\"\nevery = \"0.5 s\""));
+    const Outcome outcome =
+        call({"movie", "endless.toml", "-o", "e", "--quiet", "--time-limit", "0.1 s"});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_FALSE(fs::exists(path("e/frames")));
+    EXPECT_FALSE(fs::exists(path("e/main.mp4")));
+    EXPECT_EQ(call({"movie", "endless.toml", "-o", "e", "--quiet"}).code, 2);  // unfinished
+}
+
+TEST_F(InterruptedMovie, DrawsThePicturesOfTheSceneThatIsGivenNotOfTheRun) {
+    write_file("scene.toml", with(all_stages_scene(), "name = \"main\"", "name = \"other\""));
+    const Outcome outcome = call({"movie", "scene.toml", "-o", "o", "--quiet"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(path("o/other.mp4")));
+    EXPECT_FALSE(fs::exists(path("o/main.mp4")));
+}
+
+}  // namespace
+}  // namespace spheroscope
