@@ -23,8 +23,7 @@ struct DiffArguments {
 ExitCode diff(const DiffArguments& arguments) {
     const render::Image reference = render::read_png(arguments.reference).image;
     const render::Image other = render::read_png(arguments.other).image;
-    const render::ImageDifference d =
-        render::compare_images(reference, other, arguments.threshold);
+    const render::ImageDifference d = render::compare_images(reference, other, arguments.threshold);
     const bool equal = arguments.tolerance > 0.0
                            ? d.share_over_threshold_shifted <= arguments.tolerance
                            : d.max_difference == 0;
@@ -58,8 +57,9 @@ cli::Verb diff_verb() {
                 command.add_option("--tolerance", arguments->tolerance,
                                    "share of pixels that may differ by more than the threshold "
                                    "after edges moved by a pixel; 0: every bit counts");
-                command.add_option("--threshold", arguments->threshold,
-                                   "difference of a channel (0 to 255) that counts")
+                command
+                    .add_option("--threshold", arguments->threshold,
+                                "difference of a channel (0 to 255) that counts")
                     ->check(CLI::Range(0, 255));
                 cli::add_common_options(command, arguments->common,
                                         {CommonOption::output, CommonOption::json});

@@ -10,9 +10,8 @@ bool is_run_file(const std::string& path) {
 
 std::vector<scene::Picture> pictures_of(const RunFileReader& reader,
                                         const cli::CommonOptions& options) {
-    const scene::Scene scene =
-        scene::parse_scene(reader.header()->resolved_scene, "scene in " + reader.path(),
-                           options.overrides());
+    const scene::Scene scene = scene::parse_scene(reader.header()->resolved_scene,
+                                                  "scene in " + reader.path(), options.overrides());
     if (scene.pictures.empty())
         throw Error(reader.path() + ": its scene has no [[picture]]",
                     "add one with --set 'picture[0].field=sigma_h'");

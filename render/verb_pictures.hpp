@@ -28,8 +28,8 @@ class StoredFrames final : public render::FrameSource {
 [[nodiscard]] std::vector<scene::Picture> pictures_of(const RunFileReader& reader,
                                                       const cli::CommonOptions& options);
 
-/// The pictures that `wanted` names: one of them, "all", or the first for "". Throws Error (usage) with the
-/// names that exist.
+/// The pictures that `wanted` names: one of them, "all", or the first for "". Throws Error (usage)
+/// with the names that exist.
 [[nodiscard]] std::vector<scene::Picture> choose(const std::vector<scene::Picture>& pictures,
                                                  const std::string& wanted);
 

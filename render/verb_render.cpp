@@ -32,9 +32,8 @@ ExitCode render_stills(const RenderArguments& arguments) {
                     n_frames == 0 ? "the run has no frames yet"
                                   : "frames are 0 to " + std::to_string(n_frames - 1) +
                                         ", or -1 for the last");
-    const fs::path folder = arguments.common.output.empty()
-                                ? fs::path(arguments.file).parent_path()
-                                : fs::path(arguments.common.output);
+    const fs::path folder = arguments.common.output.empty() ? fs::path(arguments.file).parent_path()
+                                                            : fs::path(arguments.common.output);
     std::error_code failed;
     fs::create_directories(folder, failed);
     if (failed)

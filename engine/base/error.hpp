@@ -9,15 +9,16 @@ namespace spheroscope {
 enum class ExitCode : int {
     ok = 0,
     internal = 1,
-    usage = 2,         ///< wrong command line or scene
-    not_converged = 3, ///< unstable, or the end condition was not met
-    differs = 4,       ///< `diff` found a difference
-    environment = 5,   ///< no GL, no display, no ffmpeg
-    interrupted = 130, ///< SIGINT, after a checkpoint
-    terminated = 143,  ///< SIGTERM, after a checkpoint
+    usage = 2,          ///< wrong command line or scene
+    not_converged = 3,  ///< unstable, or the end condition was not met
+    differs = 4,        ///< `diff` found a difference
+    environment = 5,    ///< no GL, no display, no ffmpeg
+    interrupted = 130,  ///< SIGINT, after a checkpoint
+    terminated = 143,   ///< SIGTERM, after a checkpoint
 };
 
-/// A place in a scene file. `line` 0 means: the whole file; empty `file`: no place (command line, program).
+/// A place in a scene file. `line` 0 means: the whole file; empty `file`: no place (command line,
+/// program).
 struct Loc {
     std::string file;
     int line = 0;
@@ -53,7 +54,7 @@ namespace detail {
 
 /// Our own mistakes, never a user's input. On in Debug and wherever SPHEROSCOPE_CHECKS is defined.
 #if !defined(NDEBUG) || defined(SPHEROSCOPE_CHECKS)
-#define SPHEROSCOPE_ASSERT(condition, text)                                                      \
+#define SPHEROSCOPE_ASSERT(condition, text)                                                        \
     do {                                                                                           \
         if (!(condition))                                                                          \
             ::spheroscope::detail::assertion_failed(#condition, __FILE__, __LINE__, (text));       \

@@ -4,9 +4,9 @@
 
 namespace spheroscope {
 
-/// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011, through Random123): the value is
-/// a pure function of (seed, stream, index, component). There is no state to save, and the order in
-/// which threads ask does not matter.
+/// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011, through Random123): the value
+/// is a pure function of (seed, stream, index, component). There is no state to save, and the order
+/// in which threads ask does not matter.
 class Random {
   public:
     Random(std::uint64_t seed, std::uint32_t stream) : seed_(seed), stream_(stream) {}

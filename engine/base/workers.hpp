@@ -43,8 +43,8 @@ class Workers {
         int index_;
     };
 
-    /// Runs f on every member; returns when all are done. f must not throw. Nothing is copied: a region
-    /// allocates no memory.
+    /// Runs f on every member; returns when all are done. f must not throw. Nothing is copied: a
+    /// region allocates no memory.
     template <class F> void region(const F& f) {
         run_job({[](const void* function, Member& member) {
                      (*static_cast<const F*>(function))(member);
@@ -52,8 +52,8 @@ class Workers {
                  &f});
     }
 
-    /// Calls f(item) for the items 0..n_items-1. Each member begins with the item of its own index, so that
-    /// none is late to an empty table; the others go to whichever member is free next.
+    /// Calls f(item) for the items 0..n_items-1. Each member begins with the item of its own index,
+    /// so that none is late to an empty table; the others go to whichever member is free next.
     template <class F> void loop(int n_items, const F& f) {
         ticket_.store(n_threads_, std::memory_order_relaxed);
         region([&](Member& member) {
@@ -62,7 +62,8 @@ class Workers {
         });
     }
 
-    /// Items that each member has computed since the pool was made (a test asserts that all worked).
+    /// Items that each member has computed since the pool was made (a test asserts that all
+    /// worked).
     [[nodiscard]] std::vector<std::int64_t> items_done() const;
 
   private:

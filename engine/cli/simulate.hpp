@@ -26,10 +26,10 @@ struct SimulationSummary {
     ExitCode code = ExitCode::ok;
 };
 
-/// Simulates a scene into its place: the engine in its own thread, the store in another one, both joined
-/// before this returns. SIGINT and SIGTERM end the step in progress and leave a checkpoint.
-/// With options.resume the run goes on from its newest checkpoint. Throws Error when it cannot begin: an
-/// unfinished run is never overwritten unless `overwrite`.
+/// Simulates a scene into its place: the engine in its own thread, the store in another one, both
+/// joined before this returns. SIGINT and SIGTERM end the step in progress and leave a checkpoint.
+/// With options.resume the run goes on from its newest checkpoint. Throws Error when it cannot
+/// begin: an unfinished run is never overwritten unless `overwrite`.
 [[nodiscard]] SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
                                          const CommonOptions& options, bool overwrite,
                                          const Invocation& invocation);

@@ -12,8 +12,9 @@ std::string totals_text(const Totals& totals) {
     for (const TotalsRow& row : all_totals()) {
         const double value = value_of(row, totals);
         const std::string shown = std::isnan(value) ? "undefined" : fmt::format("{:.5g}", value);
-        text += fmt::format("{:<20} {}{}\n", row.name, shown,
-                            row.unit == "1" || std::isnan(value) ? "" : " " + std::string(row.unit));
+        text +=
+            fmt::format("{:<20} {}{}\n", row.name, shown,
+                        row.unit == "1" || std::isnan(value) ? "" : " " + std::string(row.unit));
     }
     return text;
 }

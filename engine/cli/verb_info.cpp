@@ -21,18 +21,13 @@ struct InfoArguments {
 
 nlohmann::json describe(const RunFileReader& reader, const SnapshotPtr& last) {
     const RunHeader& header = *reader.header();
-    nlohmann::json document{{"file", reader.path()},
-                            {"title", header.title},
-                            {"scene", header.scene_name},
-                            {"seed", header.seed},
-                            {"version", header.version},
-                            {"command_line", header.command_line},
-                            {"cells", header.n_cells},
-                            {"nodes_per_cell", header.topology->n_nodes()},
-                            {"frames", reader.n_frames()},
-                            {"complete", reader.is_complete()},
-                            {"outcome", reader.outcome()},
-                            {"wall_s", reader.end().wall_time_s}};
+    nlohmann::json document{
+        {"file", reader.path()},       {"title", header.title},
+        {"scene", header.scene_name},  {"seed", header.seed},
+        {"version", header.version},   {"command_line", header.command_line},
+        {"cells", header.n_cells},     {"nodes_per_cell", header.topology->n_nodes()},
+        {"frames", reader.n_frames()}, {"complete", reader.is_complete()},
+        {"outcome", reader.outcome()}, {"wall_s", reader.end().wall_time_s}};
     if (last) {
         document["time_s"] = last->time_s;
         document["steps"] = last->diagnostics.steps;
@@ -65,8 +60,10 @@ ExitCode info(const InfoArguments& arguments) {
     const RunFileReader reader(arguments.file);
     const SnapshotPtr last =
         reader.n_frames() > 0 ? reader.frame(reader.n_frames() - 1) : SnapshotPtr();
-    if (arguments.common.json) print_json(describe(reader, last));
-    else fmt::print("{}", describe_in_words(reader, last));
+    if (arguments.common.json)
+        print_json(describe(reader, last));
+    else
+        fmt::print("{}", describe_in_words(reader, last));
     return ExitCode::ok;
 }
 

@@ -2,15 +2,16 @@
 
 namespace spheroscope {
 
-/// The adhesive contact law of two surfaces, each moved outward by h0 (Cuvelier et al. 2021, eqns (5)
-/// and (6)): at total overlap delta >= 0 the pressure is P = k delta - P0 (> 0 pushes apart) and the
-/// energy per area e = k delta^2 / 2 - P0 delta, with its minimum -W at delta_eq = P0 / k.
+/// The adhesive contact law of two surfaces, each moved outward by h0 (Cuvelier et al. 2021, eqns
+/// (5) and (6)): at total overlap delta >= 0 the pressure is P = k delta - P0 (> 0 pushes apart)
+/// and the energy per area e = k delta^2 / 2 - P0 delta, with its minimum -W at delta_eq = P0 / k.
 struct ContactLaw {
-    double h0_um = 0.3;            ///< range of the adhesion, per surface
-    double P0_kPa = 0.0;           ///< largest tension
-    double k_kPa_per_um = 0.0;     ///< stiffness per area
-    double reject_cos = 0.0;       ///< a pair of triangles is no contact when n_A . n_B >= this
-    /// A pair that is deeper than this is two surfaces that passed through each other, not a contact.
+    double h0_um = 0.3;         ///< range of the adhesion, per surface
+    double P0_kPa = 0.0;        ///< largest tension
+    double k_kPa_per_um = 0.0;  ///< stiffness per area
+    double reject_cos = 0.0;    ///< a pair of triangles is no contact when n_A . n_B >= this
+    /// A pair that is deeper than this is two surfaces that passed through each other, not a
+    /// contact.
     double largest_overlap_um = 1.6;
 
     [[nodiscard]] double pressure_kPa(double overlap_um) const {
@@ -25,12 +26,13 @@ struct ContactLaw {
 };
 
 /// The law with work of adhesion W and equilibrium overlap delta_eq = equilibrium_overlap_h0 * h0:
-/// P0 = 2 W / delta_eq, k = 2 W / delta_eq^2. (2: the real surfaces touch at equilibrium; 1: gap h0.)
+/// P0 = 2 W / delta_eq, k = 2 W / delta_eq^2. (2: the real surfaces touch at equilibrium; 1: gap
+/// h0.)
 [[nodiscard]] inline ContactLaw adhesive_law(double W_nN_per_um, double h0_um,
                                              double equilibrium_overlap_h0, double reject_cos) {
     const double delta_eq_um = equilibrium_overlap_h0 * h0_um;
-    return {h0_um, 2.0 * W_nN_per_um / delta_eq_um,
-            2.0 * W_nN_per_um / (delta_eq_um * delta_eq_um), reject_cos, 2.0 * h0_um + 1.0};
+    return {h0_um, 2.0 * W_nN_per_um / delta_eq_um, 2.0 * W_nN_per_um / (delta_eq_um * delta_eq_um),
+            reject_cos, 2.0 * h0_um + 1.0};
 }
 
 /// Repulsion only.

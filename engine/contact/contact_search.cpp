@@ -19,8 +19,9 @@ struct Swept {
 }  // namespace
 
 double ContactSearch::reach_um() const {
-    // At the centroid of a contact the gap along n is 2 h0 / c - delta, with c^2 = (1 - n_A.n_B) / 2 and
-    // delta between 0 and the largest overlap: beyond that two surfaces are through each other.
+    // At the centroid of a contact the gap along n is 2 h0 / c - delta, with c^2 = (1 - n_A.n_B) /
+    // 2 and delta between 0 and the largest overlap: beyond that two surfaces are through each
+    // other.
     const double widest_um = 2.0 * law_.h0_um / std::sqrt(0.5 * (1.0 - law_.reject_cos));
     return std::max(widest_um, law_.largest_overlap_um - 2.0 * law_.h0_um);
 }
@@ -71,7 +72,8 @@ void ContactSearch::collect_candidates(const Model& model, const Geometry& geome
     const double margin = reach_um() + skin_um_;
     const Box& box_a = boxes_[idx(group.cell_a)];
     const Box& box_b = boxes_[idx(group.cell_b)];
-    // The contact can only lie where the two boxes meet; sweep along the longest side of that region.
+    // The contact can only lie where the two boxes meet; sweep along the longest side of that
+    // region.
     const Vec3 meet = box_a.high.cwiseMin(box_b.high) - box_a.low.cwiseMax(box_b.low);
     Eigen::Index axis = 0;
     meet.maxCoeff(&axis);
@@ -106,7 +108,8 @@ void ContactSearch::collect_candidates(const Model& model, const Geometry& geome
             if (b->high < a.low - margin) continue;
             const std::size_t gb = idx(group.cell_b) * idx(n_triangles) + idx(b->triangle);
             const double range = geometry.reach_um[ga] + geometry.reach_um[gb] + margin;
-            if ((geometry.centroid_um[ga] - geometry.centroid_um[gb]).squaredNorm() >= range * range)
+            if ((geometry.centroid_um[ga] - geometry.centroid_um[gb]).squaredNorm() >=
+                range * range)
                 continue;
             group.candidates.push_back({a.triangle, b->triangle});
         }

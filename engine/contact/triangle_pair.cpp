@@ -40,9 +40,8 @@ struct Barycentric {
     double twice_area;  // signed
 
     explicit Barycentric(const std::array<Point, 3>& p)
-        : at_origin{}, x{}, y{},
-          twice_area((p[1].x - p[0].x) * (p[2].y - p[0].y) -
-                     (p[2].x - p[0].x) * (p[1].y - p[0].y)) {
+        : at_origin{}, x{}, y{}, twice_area((p[1].x - p[0].x) * (p[2].y - p[0].y) -
+                                            (p[2].x - p[0].x) * (p[1].y - p[0].y)) {
         for (std::size_t i = 0; i < 3; ++i) {
             const Point& q = p[(i + 1) % 3];
             const Point& r = p[(i + 2) % 3];
@@ -133,7 +132,8 @@ PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeomet
 
     const Barycentric lambda(pa), mu(pb);
     // Seen against n, B (outward along n) runs counter-clockwise and A clockwise.
-    const double smallest = k_edge_on * std::max(std::abs(lambda.twice_area), std::abs(mu.twice_area));
+    const double smallest =
+        k_edge_on * std::max(std::abs(lambda.twice_area), std::abs(mu.twice_area));
     if (-lambda.twice_area <= smallest || mu.twice_area <= smallest) return PairOutcome::apart;
 
     Polygon polygon;

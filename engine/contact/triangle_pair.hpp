@@ -14,9 +14,9 @@ struct TriangleGeometry {
 };
 
 enum class PairOutcome {
-    apart,      ///< no overlap
-    active,     ///< `pair` is filled
-    too_deep,   ///< overlap beyond ContactLaw::largest_overlap_um: not a contact, counted
+    apart,     ///< no overlap
+    active,    ///< `pair` is filled
+    too_deep,  ///< overlap beyond ContactLaw::largest_overlap_um: not a contact, counted
 };
 
 /// Contact of two triangles, eqns (5)-(7), in the paper's normal-only form.
@@ -26,16 +26,16 @@ enum class PairOutcome {
 ///     B    \       /    A         normal is n = (n_B - n_A)/|n_B - n_A|, from B to A.
 ///           \     /
 ///
-/// The overlap along n is affine in the contact plane: delta(x) = [o_A + o_B - (n_A + n_B).x] / c with
-/// o = n.corner + h0 and c = |n_B - n_A| / 2: the same function as the printed 2 (x-s).(n x I) tan(theta),
-/// but regular for parallel triangles. The pressure P(delta) acts on the polygon in which both
-/// triangles, projected along n, and delta >= 0 meet. Everything integrated is at most quadratic on
-/// that polygon, so its six moments (1, x, y, xx, xy, yy) give exact integrals.
+/// The overlap along n is affine in the contact plane: delta(x) = [o_A + o_B - (n_A + n_B).x] / c
+/// with o = n.corner + h0 and c = |n_B - n_A| / 2: the same function as the printed 2 (x-s).(n x I)
+/// tan(theta), but regular for parallel triangles. The pressure P(delta) acts on the polygon in
+/// which both triangles, projected along n, and delta >= 0 meet. Everything integrated is at most
+/// quadratic on that polygon, so its six moments (1, x, y, xx, xy, yy) give exact integrals.
 ///
 /// The nodal forces f_i = integral of P lambda_i (lambda: barycentric coordinates of the projected
-/// triangle) are the unique solution of (7): they have the resultant and the first moment of P. Both
-/// triangles get parallel forces with the same resultant and moment, so the pair's net force and
-/// torque vanish.
+/// triangle) are the unique solution of (7): they have the resultant and the first moment of P.
+/// Both triangles get parallel forces with the same resultant and moment, so the pair's net force
+/// and torque vanish.
 [[nodiscard]] PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeometry& b,
                                                const ContactLaw& law, ContactPair& pair);
 

@@ -59,9 +59,9 @@ std::optional<double> Bending::energy_fJ(const Configuration& at, int cell) cons
     double sum = 0.0;
     for (std::size_t n = 0; n < view.mesh.edges.size(); ++n) {
         const MeshTopology::Edge& e = view.mesh.edges[n];
-        sum += hinge_energy_fJ(k_fJ_,
-                               hinge_angle(view.x(e.i), view.x(e.j), view.x(e.a), view.x(e.b)),
-                               view.model.rest_hinge_angle_rad[n]);
+        sum +=
+            hinge_energy_fJ(k_fJ_, hinge_angle(view.x(e.i), view.x(e.j), view.x(e.a), view.x(e.b)),
+                            view.model.rest_hinge_angle_rad[n]);
     }
     return sum;
 }

@@ -21,8 +21,7 @@ Vec3 BodyForce::on_cell_nN(int cell) const {
 
 void BodyForce::add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const {
     const Vec3 per_area = on_cell_nN(cell) / at.model.unit_area;
-    for (std::size_t i = 0; i < F_nN.size(); ++i)
-        F_nN[i] += at.model.unit_node_area[i] * per_area;
+    for (std::size_t i = 0; i < F_nN.size(); ++i) F_nN[i] += at.model.unit_node_area[i] * per_area;
 }
 
 std::optional<double> BodyForce::energy_fJ(const Configuration& at, int cell) const {

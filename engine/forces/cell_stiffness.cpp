@@ -77,8 +77,7 @@ void CellStiffness::add_diagonal(double factor, std::span<Mat3> blocks) const {
     add_rank_one_diagonals(rank_one_3, factor, blocks);
     add_rank_one_diagonals(rank_one_4, factor, blocks);
     for (const Node& e : nodes)
-        blocks[idx(e.node)] +=
-            (factor * e.coefficient) * e.direction * e.direction.transpose();
+        blocks[idx(e.node)] += (factor * e.coefficient) * e.direction * e.direction.transpose();
 }
 
 }  // namespace spheroscope

@@ -8,9 +8,9 @@
 
 namespace spheroscope {
 
-/// The stiffness of one cell's own terms, as lists of small positive semi-definite elements that are
-/// applied without ever assembling a matrix. A term that is absent leaves its list empty, and an
-/// empty list costs nothing. Node indices are local to the cell.
+/// The stiffness of one cell's own terms, as lists of small positive semi-definite elements that
+/// are applied without ever assembling a matrix. A term that is absent leaves its list empty, and
+/// an empty list costs nothing. Node indices are local to the cell.
 class CellStiffness {
   public:
     /// u -> (isotropic * 1 + along * t t^T)(u_i - u_j): a spring.
@@ -19,8 +19,8 @@ class CellStiffness {
         double isotropic, along;  ///< nN/um, both >= 0 or isotropic + along >= 0 and isotropic >= 0
         Vec3 direction;           ///< t, unit
     };
-    /// sum over the three sides of cot * (n . (u_a - u_b))^2, the normal part of a tension: weights[k]
-    /// belongs to the side opposite of node k.
+    /// sum over the three sides of cot * (n . (u_a - u_b))^2, the normal part of a tension:
+    /// weights[k] belongs to the side opposite of node k.
     struct Normal {
         std::array<int, 3> nodes;
         std::array<double, 3> weights;  ///< nN/um

@@ -15,11 +15,10 @@ struct CellView {
     const MeshTopology& mesh;
     std::span<const Vec3> nodes_um;  ///< [n_nodes]
     double R_um;
-    std::size_t first_triangle;      ///< of this cell in arrays over all triangles
+    std::size_t first_triangle;  ///< of this cell in arrays over all triangles
 
     CellView(const Configuration& at, int cell)
-        : model(at.model), mesh(*at.model.topology),
-          nodes_um(at.model.cell_nodes(at.x_um, cell)),
+        : model(at.model), mesh(*at.model.topology), nodes_um(at.model.cell_nodes(at.x_um, cell)),
           R_um(at.model.radius_um[static_cast<std::size_t>(cell)]),
           first_triangle(static_cast<std::size_t>(cell) *
                          static_cast<std::size_t>(at.model.topology->n_triangles())) {}

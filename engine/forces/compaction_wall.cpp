@@ -43,10 +43,9 @@ void CompactionWall::add_force(const Configuration& at, int cell, std::span<Vec3
 
 std::optional<double> CompactionWall::energy_fJ(const Configuration& at, int cell) const {
     double sum = 0.0;
-    for_each_overlap(at, cell, parameters_.k_kPa_per_um,
-                     [&](int, double k, double overlap, const Vec3&) {
-                         sum += 0.5 * k * overlap * overlap;
-                     });
+    for_each_overlap(
+        at, cell, parameters_.k_kPa_per_um,
+        [&](int, double k, double overlap, const Vec3&) { sum += 0.5 * k * overlap * overlap; });
     return sum;
 }
 

@@ -4,9 +4,10 @@
 
 namespace spheroscope {
 
-/// Adhesion and repulsion between cells, eqns (5)-(7), contact law `traction`: the paper's normal-only
-/// force. It keeps linear and angular momentum, but it is not the gradient of the contact energy: the
-/// tangential tension that the area's derivative would give is left out, as in the paper ('Departures').
+/// Adhesion and repulsion between cells, eqns (5)-(7), contact law `traction`: the paper's
+/// normal-only force. It keeps linear and angular momentum, but it is not the gradient of the
+/// contact energy: the tangential tension that the area's derivative would give is left out, as in
+/// the paper ('Departures').
 class ContactTraction final : public ForceTerm {
   public:
     using ForceTerm::ForceTerm;

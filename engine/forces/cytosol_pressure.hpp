@@ -17,7 +17,7 @@ namespace spheroscope {
 struct CytosolPressureParameters {
     double K_kPa = 0.0;
     double T_I_s = std::numeric_limits<double>::infinity();  ///< infinite: no integral part
-    double T_d_s = 0.0;                                       ///< 0: no derivative part
+    double T_d_s = 0.0;                                      ///< 0: no derivative part
     double extra_pressure_kPa = 0.0;
     double gamma_nN_per_um = 0.0;  ///< what the offset pressure balances; 0 without a tension
 };

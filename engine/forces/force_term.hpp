@@ -14,18 +14,20 @@ namespace spheroscope {
 
 class CellStiffness;
 
-/// One configuration of all cells, as terms see it. Geometry and contacts belong to exactly these x.
+/// One configuration of all cells, as terms see it. Geometry and contacts belong to exactly these
+/// x.
 struct Configuration {
     const Model& model;
-    std::span<const Vec3> x_um;                    ///< [all nodes]
-    std::span<const double> volume_integral_s;     ///< [cells] I of (13), I' = eps
+    std::span<const Vec3> x_um;                 ///< [all nodes]
+    std::span<const double> volume_integral_s;  ///< [cells] I of (13), I' = eps
     const Geometry& geometry;
     const Contacts& contacts;
-    double wall_radius_um = 0.0;                   ///< of the compaction sphere about the origin
+    double wall_radius_um = 0.0;  ///< of the compaction sphere about the origin
 };
 
-/// A force of the model: adds forces, energy and stiffness, cell by cell; holds no history, so cells can
-/// be done in any order by any thread. What a cell's part adds goes to that cell's own nodes only.
+/// A force of the model: adds forces, energy and stiffness, cell by cell; holds no history, so
+/// cells can be done in any order by any thread. What a cell's part adds goes to that cell's own
+/// nodes only.
 class ForceTerm {
   public:
     explicit ForceTerm(Loc loc) : loc_(std::move(loc)) {}
@@ -41,8 +43,8 @@ class ForceTerm {
         static_cast<void>(at), static_cast<void>(cell);
         return {};
     }
-    /// Adds a positive semi-definite approximation of -dF/dx of this cell. Only the speed of implicit
-    /// methods depends on it, never their end states.
+    /// Adds a positive semi-definite approximation of -dF/dx of this cell. Only the speed of
+    /// implicit methods depends on it, never their end states.
     virtual void add_stiffness(const Configuration& at, int cell, CellStiffness& K) const {
         static_cast<void>(at), static_cast<void>(cell), static_cast<void>(K);
     }

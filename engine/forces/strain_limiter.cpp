@@ -15,17 +15,18 @@ struct Strained {
     std::array<int, 3> nodes;
     std::array<Vec3, 3> sides_um;
     std::array<double, 3> rest_cotangents;
-    Vec3 twice_area_um2;   ///< along the normal
+    Vec3 twice_area_um2;  ///< along the normal
     double rest_area_um2;
     double I1, J;
-    double excess;         ///< y = psi - psi0 > 0
+    double excess;  ///< y = psi - psi0 > 0
 
     [[nodiscard]] std::array<Vec3, 3> I1_gradient() const {
         std::array<Vec3, 3> g;
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t next = (c + 1) % 3, last = (c + 2) % 3;
-            g[c] = (rest_cotangents[next] * sides_um[next] -
-                    rest_cotangents[last] * sides_um[last]) / rest_area_um2;
+            g[c] =
+                (rest_cotangents[next] * sides_um[next] - rest_cotangents[last] * sides_um[last]) /
+                rest_area_um2;
         }
         return g;
     }
@@ -37,14 +38,12 @@ struct Strained {
     [[nodiscard]] std::array<Vec3, 3> psi_gradient() const {
         const std::array<Vec3, 3> by_I1 = I1_gradient(), by_J = J_gradient();
         const double a = 0.25 * (1.0 + 1.0 / (J * J)), b = -0.5 * I1 / (J * J * J);
-        return {a * by_I1[0] + b * by_J[0], a * by_I1[1] + b * by_J[1],
-                a * by_I1[2] + b * by_J[2]};
+        return {a * by_I1[0] + b * by_J[0], a * by_I1[1] + b * by_J[1], a * by_I1[2] + b * by_J[2]};
     }
 };
 
 /// Calls visit(Strained) for every triangle beyond the silent range.
-template <class Visit>
-void for_each_strained(const CellView& view, double psi0, Visit visit) {
+template <class Visit> void for_each_strained(const CellView& view, double psi0, Visit visit) {
     const double R2 = view.R_um * view.R_um;
     for (std::size_t t = 0; t < view.mesh.triangles.size(); ++t) {
         const auto& [i, j, k] = view.mesh.triangles[t];
@@ -87,8 +86,8 @@ StrainLimiter::StrainLimiter(Loc loc, const StrainLimiterParameters& parameters)
 
 void StrainLimiter::add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const {
     for_each_strained(CellView(at, cell), parameters_.psi0, [&](const Strained& s) {
-        const double strength = parameters_.kappa_nN_per_um * s.rest_area_um2 *
-                                slope(s.excess, parameters_.psi0);
+        const double strength =
+            parameters_.kappa_nN_per_um * s.rest_area_um2 * slope(s.excess, parameters_.psi0);
         const std::array<Vec3, 3> g = s.psi_gradient();
         for (std::size_t c = 0; c < 3; ++c) at_node(F_nN, s.nodes[c]) -= strength * g[c];
     });
@@ -111,8 +110,8 @@ void StrainLimiter::add_stiffness(const Configuration& at, int cell, CellStiffne
         const double second = 2.0 * psi0 * psi0 / (y * y * y);
         K.rank_one_3.push_back({s.nodes, s.psi_gradient(), kappa * s.rest_area_um2 * second});
         const double J2 = s.J * s.J;
-        K.rank_one_3.push_back({s.nodes, s.J_gradient(),
-                                1.5 * kappa * s.rest_area_um2 * first * s.I1 / (J2 * J2)});
+        K.rank_one_3.push_back(
+            {s.nodes, s.J_gradient(), 1.5 * kappa * s.rest_area_um2 * first * s.I1 / (J2 * J2)});
         const double pull = 0.25 * kappa * first * (1.0 + 1.0 / J2);
         for (std::size_t c = 0; c < 3; ++c)
             if (s.rest_cotangents[c] > 0.0)

@@ -20,8 +20,8 @@ constexpr std::array<ForceTermRow, 8> k_terms{{
      "soft cortices cannot fold over", true, true, true},
     {"stage.compact", "", "engine/forces/compaction_wall.cpp",
      "a spherical wall pushes the cells together", false, false, false},
-    {"body_force", "", "engine/forces/body_force.cpp",
-     "a constant force on whole cells", false, false, true},
+    {"body_force", "", "engine/forces/body_force.cpp", "a constant force on whole cells", false,
+     false, true},
 }};
 
 }  // namespace

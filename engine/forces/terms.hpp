@@ -12,8 +12,8 @@ struct ForceTermRow {
     std::string_view equation;  ///< of Cuvelier et al. 2021; empty: not in the paper
     std::string_view file;
     std::string_view effect;
-    bool internal;              ///< its forces on a cell have no sum and no torque
-    bool zero_at_rest;          ///< no force on a cell in its rest shape
+    bool internal;      ///< its forces on a cell have no sum and no torque
+    bool zero_at_rest;  ///< no force on a cell in its rest shape
     /// F = -dE/dx holds for each configuration; false: E also changes by itself in time (the volume
     /// controller's integral, the moving wall), so that it is no part of a falling energy.
     bool energy_is_state_function;

@@ -12,8 +12,8 @@ namespace spheroscope {
 /// regular lattice is the surface viscosity eta t.
 [[nodiscard]] double edge_friction_nN_s_per_um(double eta_kPa_s, double thickness_um);
 
-/// out += c * Laplacian u of one cell's mesh; u, out [n_nodes]. The weight is the same on all edges, so
-/// all cells share this matrix, and it acts on x, y and z alike.
+/// out += c * Laplacian u of one cell's mesh; u, out [n_nodes]. The weight is the same on all
+/// edges, so all cells share this matrix, and it acts on x, y and z alike.
 void add_cortex_friction(const MeshTopology& mesh, double edge_friction, std::span<const Vec3> u,
                          std::span<Vec3> out);
 

@@ -6,9 +6,8 @@ namespace {
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// Calls f(cell, node, position relative to `origin`, force) for the six nodes of a pair.
-template <class F>
-void for_nodes_of_pair(const Configuration& at, const Contacts::Group& group,
-                       const ContactPair& pair, const F& f) {
+template <class F> void for_nodes_of_pair(const Configuration& at, const Contacts::Group& group,
+                                          const ContactPair& pair, const F& f) {
     const MeshTopology& mesh = *at.model.topology;
     const auto side = [&](int cell, int triangle, const std::array<double, 3>& magnitude,
                           double sign) {

@@ -1,6 +1,6 @@
-// Traction of the contacts on each triangle, Cuvelier et al. 2021, eqn (3): sigma_nn = sum_B F_AB . n_A / S_A,
-// with the force on A; repulsion pushes a triangle inwards, so tension is positive. The rest of the same
-// vector is the shear stress.
+// Traction of the contacts on each triangle, Cuvelier et al. 2021, eqn (3): sigma_nn = sum_B F_AB .
+// n_A / S_A, with the force on A; repulsion pushes a triangle inwards, so tension is positive. The
+// rest of the same vector is the shear stress.
 #include "engine/measures/field_functions.hpp"
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 
 #include "engine/measures/measure_input.hpp"
 
-// The functions of the table of fields (fields.cpp); each fills one value per node, triangle or cell.
+// The functions of the table of fields (fields.cpp); each fills one value per node, triangle or
+// cell.
 namespace spheroscope {
 
 void compute_gamma_eff(const MeasureInput& input, std::span<float> out);    // nodes, eqn (2)

@@ -8,24 +8,27 @@ namespace spheroscope {
 
 struct MeasureInput;
 
-/// Where a field's values live; its array has n_cells * (nodes | triangles | 1) entries, cell by cell.
+/// Where a field's values live; its array has n_cells * (nodes | triangles | 1) entries, cell by
+/// cell.
 enum class Place { node, triangle, cell };
 
-/// What kind of number it is decides the colour map and the range: `signed_about_zero` gets a diverging map,
-/// symmetric about zero (compression blue, tension red); `magnitude` a sequential one from zero.
+/// What kind of number it is decides the colour map and the range: `signed_about_zero` gets a
+/// diverging map, symmetric about zero (compression blue, tension red); `magnitude` a sequential
+/// one from zero.
 enum class RangeKind { signed_about_zero, magnitude };
 
 /// The part of the model without which a field has no meaning in a scene.
 enum class Requires { nothing, elastic, contact, cytosol };
 
-/// One row of the table of fields: everything that the legend, the file, the panel and the docs need.
-/// A value of NaN means 'there is nothing to measure here' (a triangle without contact), never zero.
+/// One row of the table of fields: everything that the legend, the file, the panel and the docs
+/// need. A value of NaN means 'there is nothing to measure here' (a triangle without contact),
+/// never zero.
 struct Field {
-    std::string_view name;         ///< key in scene files and in the HDF5 file, e.g. "sigma_nn"
-    std::string_view symbol;       ///< for legends, UTF-8, e.g. "σ_nn"
-    std::string_view unit;         ///< of the stored values, ASCII, e.g. "kPa"
-    std::string_view shown_unit;   ///< of the legend, UTF-8, e.g. "Pa"
-    double shown_per_stored;       ///< shown value = stored value * this (kPa -> Pa: 1000)
+    std::string_view name;        ///< key in scene files and in the HDF5 file, e.g. "sigma_nn"
+    std::string_view symbol;      ///< for legends, UTF-8, e.g. "σ_nn"
+    std::string_view unit;        ///< of the stored values, ASCII, e.g. "kPa"
+    std::string_view shown_unit;  ///< of the legend, UTF-8, e.g. "Pa"
+    double shown_per_stored;      ///< shown value = stored value * this (kPa -> Pa: 1000)
     Place place;
     RangeKind range;
     std::string_view absent;       ///< what NaN means in words for the key, "" if it cannot occur

@@ -1,7 +1,7 @@
 // Surface tension at a node, Cuvelier et al. 2021, eqn (2):
 //   gamma_i^eff = 1/N_i sum_j F_ij . t_ij / (d_ij tan(pi / N_i)),   F . t = k (d - d*)
-// paper (2): F . n_ij; here F . t_ij, along the edge: across it a spring has no force. This is the elastic
-// part; the active tension gamma comes on top of it.
+// paper (2): F . n_ij; here F . t_ij, along the edge: across it a spring has no force. This is the
+// elastic part; the active tension gamma comes on top of it.
 #include "engine/measures/field_functions.hpp"
 
 #include <cmath>
@@ -30,8 +30,8 @@ void add_elastic_tension(const MeasureInput& input, double offset, std::span<flo
         const std::span<float> values = model.cell_nodes(out, cell);
         for (std::size_t i = 0; i < sum.size(); ++i) {
             const int degree = mesh.neighbour_begin[i + 1] - mesh.neighbour_begin[i];
-            values[i] = static_cast<float>(
-                offset + sum[i] / (degree * std::tan(std::numbers::pi / degree)));
+            values[i] = static_cast<float>(offset +
+                                           sum[i] / (degree * std::tan(std::numbers::pi / degree)));
         }
     }
 }
@@ -45,7 +45,8 @@ void compute_gamma_eff(const MeasureInput& input, std::span<float> out) {
 void compute_gamma_total(const MeasureInput& input, std::span<float> out) {
     if (input.spring_nN_per_um.empty())
         std::fill(out.begin(), out.end(), static_cast<float>(input.gamma_nN_per_um));
-    else add_elastic_tension(input, input.gamma_nN_per_um, out);
+    else
+        add_elastic_tension(input, input.gamma_nN_per_um, out);
 }
 
 }  // namespace spheroscope

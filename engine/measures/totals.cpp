@@ -34,9 +34,8 @@ void add_mesh_quality(const Configuration& at, Totals& totals) {
             if (normal[t].dot(centroid[t] - at.geometry.centre_um[idx(cell)]) < 0.0)
                 ++totals.n_flipped_triangles;
         }
-        totals.smallest_triangle =
-            std::min(totals.smallest_triangle,
-                     smallest_um2 * static_cast<double>(area.size()) / sum_um2);
+        totals.smallest_triangle = std::min(
+            totals.smallest_triangle, smallest_um2 * static_cast<double>(area.size()) / sum_um2);
         for (const MeshTopology::Edge& e : mesh.edges)
             if (normal[idx(e.left)].dot(normal[idx(e.right)]) < -0.5) ++totals.n_folds;
     }
@@ -115,8 +114,8 @@ void add_speeds(const MeasureInput& input, Totals& totals) {
     for (int cell = 0; cell < input.at.model.n_cells(); ++cell) {
         Vec3 sum = Vec3::Zero();
         for (const Vec3& v : input.at.model.cell_nodes(input.v_um_per_s, cell)) sum += v;
-        totals.cell_speed_max_um_per_s = std::max(totals.cell_speed_max_um_per_s,
-                                                  sum.norm() / input.at.model.n_nodes());
+        totals.cell_speed_max_um_per_s =
+            std::max(totals.cell_speed_max_um_per_s, sum.norm() / input.at.model.n_nodes());
     }
 }
 
@@ -126,7 +125,7 @@ Totals compute_totals(const MeasureInput& input) {
     Totals totals{};
     for (const TotalsRow& row : all_totals())
         if (const auto* real = std::get_if<double Totals::*>(&row.member))
-            totals.**real = k_undefined;
+            totals.** real = k_undefined;
     const Configuration& at = input.at;
     add_mesh_quality(at, totals);
     if (!input.cell_stress_kPa.empty()) {
@@ -140,40 +139,63 @@ Totals compute_totals(const MeasureInput& input) {
     }
     totals.volume_error = 0.0;
     for (std::size_t cell = 0; cell < at.geometry.volume_um3.size(); ++cell)
-        totals.volume_error =
-            std::max(totals.volume_error, std::abs(at.geometry.volume_um3[cell] /
-                                                       at.model.target_volume_um3[cell] - 1.0));
+        totals.volume_error = std::max(
+            totals.volume_error,
+            std::abs(at.geometry.volume_um3[cell] / at.model.target_volume_um3[cell] - 1.0));
     add_speeds(input, totals);
     return totals;
 }
 
 std::span<const TotalsRow> all_totals() {
     static const std::array rows{
-        TotalsRow{"contact_area", "um^2", "sum of the contact areas, each pair of triangles once", &Totals::contact_area_um2},
-        TotalsRow{"contact_fraction", "1", "share of the surface in contact", &Totals::contact_fraction},
+        TotalsRow{"contact_area", "um^2", "sum of the contact areas, each pair of triangles once",
+                  &Totals::contact_area_um2},
+        TotalsRow{"contact_fraction", "1", "share of the surface in contact",
+                  &Totals::contact_fraction},
         TotalsRow{"coordination_Z", "1", "mean number of touching cells", &Totals::coordination_Z},
-        TotalsRow{"sigma_h_core", "kPa", "mean hydrostatic stress of core cells", &Totals::sigma_h_core_kPa},
-        TotalsRow{"sigma_h_rim", "kPa", "mean hydrostatic stress of the other cells", &Totals::sigma_h_rim_kPa},
+        TotalsRow{"sigma_h_core", "kPa", "mean hydrostatic stress of core cells",
+                  &Totals::sigma_h_core_kPa},
+        TotalsRow{"sigma_h_rim", "kPa", "mean hydrostatic stress of the other cells",
+                  &Totals::sigma_h_rim_kPa},
         TotalsRow{"n_core_cells", "1", "cells deeper than two mean radii", &Totals::n_core_cells},
-        TotalsRow{"R_th", "um", "radius of the sphere with the volume of all cells", &Totals::R_th_um},
-        TotalsRow{"eps_YL_omega", "1", "1 + sigma_h_core R_th / (2 omega), the paper's norm", &Totals::eps_YL_omega},
-        TotalsRow{"eps_YL_W", "1", "1 + sigma_h_core R_th / W, from the work of adhesion", &Totals::eps_YL_W},
-        TotalsRow{"sigma_h_core_by_volume", "kPa", "the same, weighted by volume", &Totals::sigma_h_core_by_volume_kPa},
-        TotalsRow{"sigma_h_size", "kPa", "volume-weighted mean of |sigma_h|", &Totals::sigma_h_size_kPa},
-        TotalsRow{"sigma_h_mean", "kPa", "volume-weighted mean hydrostatic stress; 0 at rest", &Totals::sigma_h_mean_kPa},
-        TotalsRow{"virial_defect", "1", "|sum V sigma_h| / sum V |sigma_h|; 0 at rest", &Totals::virial_defect},
-        TotalsRow{"virial_identity", "1", "RMS of sigma_h minus its evaluation from inside, over RMS sigma_h", &Totals::virial_identity},
-        TotalsRow{"mean_pressure", "kPa", "mean pressure of the cytosol", &Totals::mean_pressure_kPa},
+        TotalsRow{"R_th", "um", "radius of the sphere with the volume of all cells",
+                  &Totals::R_th_um},
+        TotalsRow{"eps_YL_omega", "1", "1 + sigma_h_core R_th / (2 omega), the paper's norm",
+                  &Totals::eps_YL_omega},
+        TotalsRow{"eps_YL_W", "1", "1 + sigma_h_core R_th / W, from the work of adhesion",
+                  &Totals::eps_YL_W},
+        TotalsRow{"sigma_h_core_by_volume", "kPa", "the same, weighted by volume",
+                  &Totals::sigma_h_core_by_volume_kPa},
+        TotalsRow{"sigma_h_size", "kPa", "volume-weighted mean of |sigma_h|",
+                  &Totals::sigma_h_size_kPa},
+        TotalsRow{"sigma_h_mean", "kPa", "volume-weighted mean hydrostatic stress; 0 at rest",
+                  &Totals::sigma_h_mean_kPa},
+        TotalsRow{"virial_defect", "1", "|sum V sigma_h| / sum V |sigma_h|; 0 at rest",
+                  &Totals::virial_defect},
+        TotalsRow{"virial_identity", "1",
+                  "RMS of sigma_h minus its evaluation from inside, over RMS sigma_h",
+                  &Totals::virial_identity},
+        TotalsRow{"mean_pressure", "kPa", "mean pressure of the cytosol",
+                  &Totals::mean_pressure_kPa},
         TotalsRow{"volume_error", "1", "largest |V - V*| / V*", &Totals::volume_error},
-        TotalsRow{"smallest_triangle", "1", "smallest triangle over the mean of its cell", &Totals::smallest_triangle},
-        TotalsRow{"n_flipped_triangles", "1", "triangles that face their cell's centre", &Totals::n_flipped_triangles},
-        TotalsRow{"n_folds", "1", "edges whose triangles turn by more than 120 degrees", &Totals::n_folds},
-        TotalsRow{"normal_speed_rms", "um/s", "RMS of the nodes' speed along their normals", &Totals::normal_speed_rms_um_per_s},
-        TotalsRow{"tangential_speed_max", "um/s", "largest speed of a node along the surface", &Totals::tangential_speed_max_um_per_s},
-        TotalsRow{"cell_speed_max", "um/s", "largest speed of a cell, the mean of its nodes", &Totals::cell_speed_max_um_per_s},
+        TotalsRow{"smallest_triangle", "1", "smallest triangle over the mean of its cell",
+                  &Totals::smallest_triangle},
+        TotalsRow{"n_flipped_triangles", "1", "triangles that face their cell's centre",
+                  &Totals::n_flipped_triangles},
+        TotalsRow{"n_folds", "1", "edges whose triangles turn by more than 120 degrees",
+                  &Totals::n_folds},
+        TotalsRow{"normal_speed_rms", "um/s", "RMS of the nodes' speed along their normals",
+                  &Totals::normal_speed_rms_um_per_s},
+        TotalsRow{"tangential_speed_max", "um/s", "largest speed of a node along the surface",
+                  &Totals::tangential_speed_max_um_per_s},
+        TotalsRow{"cell_speed_max", "um/s", "largest speed of a cell, the mean of its nodes",
+                  &Totals::cell_speed_max_um_per_s},
         TotalsRow{"energy", "fJ", "stored energy", &Totals::energy_fJ},
         TotalsRow{"dissipation", "nN um/s", "v . Gamma v", &Totals::dissipation_nN_um_per_s},
-        TotalsRow{"power_residual", "1", "(change of energy + dissipation - driving work) / dissipation since the last output", &Totals::power_residual},
+        TotalsRow{
+            "power_residual", "1",
+            "(change of energy + dissipation - driving work) / dissipation since the last output",
+            &Totals::power_residual},
     };
     return rows;
 }

@@ -47,8 +47,8 @@ struct TotalsRow {
 [[nodiscard]] std::span<const TotalsRow> all_totals();
 [[nodiscard]] double value_of(const TotalsRow& row, const Totals& totals);
 
-/// Everything that follows from one configuration. Energy, powers and virial_identity are left undefined:
-/// the run knows them. `at.geometry` holds triangles and volumes.
+/// Everything that follows from one configuration. Energy, powers and virial_identity are left
+/// undefined: the run knows them. `at.geometry` holds triangles and volumes.
 [[nodiscard]] Totals compute_totals(const MeasureInput& input);
 
 }  // namespace spheroscope

@@ -51,8 +51,8 @@ void Geometry::compute_cell(const Model& model, std::span<const Vec3> x_um, Need
         centre = origin + centre / static_cast<double>(x.size());
         double six_volumes = 0.0;
         for (const auto& [i, j, k] : mesh.triangles) {
-            // V = 1/6 sum x_i . (x_j x x_k), from the cell's own centre: on a closed surface neither
-            // V nor its gradient depends on the origin, but their rounding errors do.
+            // V = 1/6 sum x_i . (x_j x x_k), from the cell's own centre: on a closed surface
+            // neither V nor its gradient depends on the origin, but their rounding errors do.
             const Vec3 xi = at(i) - centre, xj = at(j) - centre, xk = at(k) - centre;
             const Vec3 jk = xj.cross(xk);
             six_volumes += xi.dot(jk);

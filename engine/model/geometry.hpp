@@ -24,13 +24,13 @@ enum class Need : unsigned {
 
 /// Geometry of one configuration; arrays that nobody needs stay empty.
 struct Geometry {
-    std::vector<Vec3> normal;          ///< [all triangles] outward, unit
-    std::vector<double> area_um2;      ///< [all triangles]
-    std::vector<Vec3> centroid_um;     ///< [all triangles]
-    std::vector<double> reach_um;      ///< [all triangles] largest distance centroid - corner
-    std::vector<double> volume_um3;    ///< [cells]
+    std::vector<Vec3> normal;               ///< [all triangles] outward, unit
+    std::vector<double> area_um2;           ///< [all triangles]
+    std::vector<Vec3> centroid_um;          ///< [all triangles]
+    std::vector<double> reach_um;           ///< [all triangles] largest distance centroid - corner
+    std::vector<double> volume_um3;         ///< [cells]
     std::vector<Vec3> volume_gradient_um2;  ///< [all nodes] S_i = dV/dx_i
-    std::vector<Vec3> centre_um;       ///< [cells] mean of the nodes
+    std::vector<Vec3> centre_um;            ///< [cells] mean of the nodes
 
     /// Sizes the arrays that `needs` asks for.
     void allocate(const Model& model, Need needs);

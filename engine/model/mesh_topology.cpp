@@ -21,14 +21,15 @@ struct Surface {
 Surface icosahedron() {
     const double g = std::numbers::phi;
     Surface s;
-    s.x = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-           {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+    s.x = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+           {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
     for (Vec3& x : s.x) x.normalize();
     // Faces are the triples of mutually nearest corners; the winding follows from the centroid.
     const double edge2 = (s.x[0] - s.x[1]).squaredNorm();
     const auto joined = [&](int i, int j) {
         return std::abs((s.x[static_cast<std::size_t>(i)] - s.x[static_cast<std::size_t>(j)])
-                            .squaredNorm() - edge2) < 1e-9 * edge2;
+                            .squaredNorm() -
+                        edge2) < 1e-9 * edge2;
     };
     for (int i = 0; i < 12; ++i)
         for (int j = i + 1; j < 12; ++j)
@@ -37,8 +38,10 @@ Surface icosahedron() {
                 const Vec3& a = s.x[static_cast<std::size_t>(i)];
                 const Vec3& b = s.x[static_cast<std::size_t>(j)];
                 const Vec3& c = s.x[static_cast<std::size_t>(k)];
-                if (a.dot(b.cross(c)) > 0) s.triangles.push_back({i, j, k});
-                else s.triangles.push_back({i, k, j});
+                if (a.dot(b.cross(c)) > 0)
+                    s.triangles.push_back({i, j, k});
+                else
+                    s.triangles.push_back({i, k, j});
             }
     return s;
 }
@@ -48,11 +51,12 @@ Surface subdivide(const Surface& coarse) {
     fine.x = coarse.x;
     std::map<std::pair<int, int>, int> middle;
     const auto middle_of = [&](int i, int j) {
-        const auto [it, is_new] = middle.try_emplace(std::minmax(i, j),
-                                                     static_cast<int>(fine.x.size()));
+        const auto [it, is_new] =
+            middle.try_emplace(std::minmax(i, j), static_cast<int>(fine.x.size()));
         if (is_new)
-            fine.x.push_back((coarse.x[static_cast<std::size_t>(i)] +
-                              coarse.x[static_cast<std::size_t>(j)]).normalized());
+            fine.x.push_back(
+                (coarse.x[static_cast<std::size_t>(i)] + coarse.x[static_cast<std::size_t>(j)])
+                    .normalized());
         return it->second;
     };
     for (const auto& [i, j, k] : coarse.triangles) {

@@ -11,19 +11,20 @@ namespace spheroscope {
 
 /// What never changes during a run: the mesh that all cells share, and every cell's size. All cells
 /// are scaled copies of one rest shape, so rest quantities are stored once, for radius 1 um, and
-/// scale with the cell's radius: lengths with R, areas with R^2, volumes with R^3, angles not at all.
+/// scale with the cell's radius: lengths with R, areas with R^2, volumes with R^3, angles not at
+/// all.
 ///
 /// Arrays over nodes run cell by cell: node i of cell c is c * n_nodes + i.
 struct Model {
     std::shared_ptr<const MeshTopology> topology;
-    std::vector<double> radius_um;                 ///< [n_cells]
-    std::vector<double> target_volume_um3;         ///< [n_cells] V*
+    std::vector<double> radius_um;          ///< [n_cells]
+    std::vector<double> target_volume_um3;  ///< [n_cells] V*
     // Rest state of the cell of radius 1 um.
-    std::vector<double> unit_edge_length;          ///< [n_edges] d*
-    std::vector<double> unit_triangle_area;        ///< [n_triangles] S*
-    std::vector<double> unit_node_area;            ///< [n_nodes] a third of the adjacent S*
-    std::vector<double> rest_hinge_angle_rad;      ///< [n_edges] theta*
-    double unit_area = 0.0;                        ///< sum of S*
+    std::vector<double> unit_edge_length;      ///< [n_edges] d*
+    std::vector<double> unit_triangle_area;    ///< [n_triangles] S*
+    std::vector<double> unit_node_area;        ///< [n_nodes] a third of the adjacent S*
+    std::vector<double> rest_hinge_angle_rad;  ///< [n_edges] theta*
+    double unit_area = 0.0;                    ///< sum of S*
 
     [[nodiscard]] int n_cells() const { return static_cast<int>(radius_um.size()); }
     [[nodiscard]] int n_nodes() const { return topology->n_nodes(); }
@@ -50,8 +51,9 @@ struct Model {
 [[nodiscard]] Model make_model(std::shared_ptr<const MeshTopology> topology,
                                std::vector<double> radius_um, double target_strain = 0.0);
 
-/// Signed angle between the two triangles of a hinge, rad, in (-pi, pi]: 0 flat, > 0 convex seen from
-/// the side that the normals point to. By atan2, which keeps its digits near flat; acos would not.
+/// Signed angle between the two triangles of a hinge, rad, in (-pi, pi]: 0 flat, > 0 convex seen
+/// from the side that the normals point to. By atan2, which keeps its digits near flat; acos would
+/// not.
 ///        a
 ///       / .        left triangle (i, j, a), right triangle (j, i, b)
 ///      i---j

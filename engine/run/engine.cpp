@@ -1,6 +1,6 @@
-// One run from top to bottom: stages one after another; in a stage, steps to the next output; at an output,
-// measures and a snapshot. Everything that decides what comes next is in RunState, so a run that goes on
-// from a checkpoint does the same steps as one that was never stopped.
+// One run from top to bottom: stages one after another; in a stage, steps to the next output; at an
+// output, measures and a snapshot. Everything that decides what comes next is in RunState, so a run
+// that goes on from a checkpoint does the same steps as one that was never stopped.
 
 #include "engine/run/engine.hpp"
 
@@ -36,8 +36,8 @@ Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
     : scene_(scene), options_(options) {
     method_ = chosen_method(scene).make(method_parameters(scene));
     const double target_strain = scene.cytosol ? scene.cytosol->target_strain : 0.0;
-    Model model = make_model(make_icosphere(scene.cells.nodes), cell_radii(scene, given),
-                             target_strain);
+    Model model =
+        make_model(make_icosphere(scene.cells.nodes), cell_radii(scene, given), target_strain);
     run_.radius_um = model.radius_um;
     run_.state.x_um = start_positions(scene, model, given);
     run_.state.v_um_per_s.assign(model.n_all_nodes(), Vec3::Zero());
@@ -125,9 +125,10 @@ Engine::Next Engine::anneal(const scene::Stage& stage) {
             if (publish(measure(), packing.progress()) == Next::stop) return Next::stop;
         }
         int n_steps = k_anneal_chunk;
-        if (run_.outputs_in_stage < stage.frames - 1 && packing.state().phase == PackingPhase::annealing)
-            n_steps = std::min(n_steps, std::max(1, frame_step(run_.outputs_in_stage) -
-                                                        packing.state().step));
+        if (run_.outputs_in_stage < stage.frames - 1 &&
+            packing.state().phase == PackingPhase::annealing)
+            n_steps = std::min(
+                n_steps, std::max(1, frame_step(run_.outputs_in_stage) - packing.state().step));
         packing.advance(n_steps);
         run_.beads = packing.state();
         if (between_steps(packing.progress()) == Next::stop) return Next::stop;
@@ -249,8 +250,7 @@ Totals Engine::measure() {
     const MeasureInput input = measure_input(at);
     Totals totals = compute_totals(input);
     if (!cell_stress_kPa_.empty()) {
-        const std::vector<double> inside =
-            hydrostatic_stress_from_inside(at, system_->force_nN());
+        const std::vector<double> inside = hydrostatic_stress_from_inside(at, system_->force_nN());
         double difference2 = 0.0, size2 = 0.0;
         for (std::size_t cell = 0; cell < inside.size(); ++cell) {
             const double sigma_h = cell_stress_kPa_[cell].trace() / 3.0;
@@ -263,8 +263,7 @@ Totals Engine::measure() {
     totals.energy_fJ = energy_fJ;
     if (run_.has_energy && run_.dissipated_fJ > 0.0)
         totals.power_residual =
-            (energy_fJ - run_.energy_fJ + run_.dissipated_fJ - run_.driven_fJ) /
-            run_.dissipated_fJ;
+            (energy_fJ - run_.energy_fJ + run_.dissipated_fJ - run_.driven_fJ) / run_.dissipated_fJ;
     run_.energy_fJ = energy_fJ;
     run_.has_energy = true;
     run_.dissipated_fJ = 0.0;

@@ -19,7 +19,7 @@ struct EngineOptions {
     std::string version;
     std::string command_line;
     double checkpoint_every_wall_s = 10.0;
-    double wall_limit_s = 0.0;          ///< stop with a checkpoint after this wall time; 0: no limit
+    double wall_limit_s = 0.0;  ///< stop with a checkpoint after this wall time; 0: no limit
 };
 
 /// For progress bars.
@@ -33,7 +33,8 @@ struct RunProgress {
     std::int64_t steps = 0;
 };
 
-/// Where frames and checkpoints go; both are called in the engine's thread. The engine knows no files.
+/// Where frames and checkpoints go; both are called in the engine's thread. The engine knows no
+/// files.
 struct EngineSinks {
     /// Returns the reason if the frame could not be taken; then the run ends with it.
     std::function<std::optional<std::string>(SnapshotPtr)> frame;
@@ -48,21 +49,22 @@ enum class RunVerdict { finished, cap, stopped, time_limit, unstable, sink_faile
 
 struct RunResult {
     RunVerdict verdict = RunVerdict::finished;
-    std::string outcome;      ///< "done", "rest", "stationary", "cap", "stopped", "unstable", ...
-    std::string message;      ///< what went wrong, with term, cell and scene line; "" if nothing did
-    double wall_s = 0.0;      ///< of this process
+    std::string outcome;  ///< "done", "rest", "stationary", "cap", "stopped", "unstable", ...
+    std::string message;  ///< what went wrong, with term, cell and scene line; "" if nothing did
+    double wall_s = 0.0;  ///< of this process
     Work work;
-    Totals totals{};          ///< of the last measurement
+    Totals totals{};  ///< of the last measurement
     double time_s = 0.0;
     int frames = 0;
     std::uint64_t state_hash = 0;
 };
 
-/// Runs a scene: the single owner and writer of State. Lives in one thread; others see its snapshots.
+/// Runs a scene: the single owner and writer of State. Lives in one thread; others see its
+/// snapshots.
 class Engine {
   public:
-    /// Throws Error for what only the engine can know: fields without their part of the model, an unknown
-    /// method, given cells that do not fit.
+    /// Throws Error for what only the engine can know: fields without their part of the model, an
+    /// unknown method, given cells that do not fit.
     Engine(const scene::Scene& scene, const EngineOptions& options,
            const std::optional<GivenCells>& given = {});
     ~Engine();
@@ -73,7 +75,8 @@ class Engine {
     [[nodiscard]] std::shared_ptr<const RunHeader> header() const { return header_; }
     [[nodiscard]] const RunState& state() const { return run_; }
 
-    /// Runs to the end, or until `stop` becomes true (after the step in progress, with a checkpoint).
+    /// Runs to the end, or until `stop` becomes true (after the step in progress, with a
+    /// checkpoint).
     [[nodiscard]] RunResult run(const EngineSinks& sinks, const std::atomic<bool>& stop);
 
   private:

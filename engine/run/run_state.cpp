@@ -21,9 +21,8 @@ std::vector<Vec3> unflat(const std::vector<double>& values) {
 }
 
 /// Reads a named array of a checkpoint; says what is missing.
-template <class T>
-const std::vector<T>& find(const std::map<std::string, std::vector<T>>& arrays,
-                           const std::string& name, std::size_t size_at_least) {
+template <class T> const std::vector<T>& find(const std::map<std::string, std::vector<T>>& arrays,
+                                              const std::string& name, std::size_t size_at_least) {
     const auto it = arrays.find(name);
     if (it == arrays.end() || it->second.size() < size_at_least)
         throw Error("the checkpoint has no '" + name + "', or it is too short",

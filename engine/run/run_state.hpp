@@ -10,25 +10,25 @@
 
 namespace spheroscope {
 
-/// Everything that decides how a run goes on: the state, and where in its schedule it is. A checkpoint is
-/// this and nothing else, so a resumed run continues to the bit.
+/// Everything that decides how a run goes on: the state, and where in its schedule it is. A
+/// checkpoint is this and nothing else, so a resumed run continues to the bit.
 struct RunState {
     State state;
-    std::vector<double> radius_um;      ///< [cells]
-    int stage = 0;                      ///< index; n_stages: the run is over
+    std::vector<double> radius_um;  ///< [cells]
+    int stage = 0;                  ///< index; n_stages: the run is over
     bool stage_has_begun = false;
     StageMemory memory;
     std::int64_t outputs_in_stage = 0;
-    int frames = 0;                     ///< published since the start of the run
-    BeadPackingState beads;             ///< while an anneal stage runs
+    int frames = 0;          ///< published since the start of the run
+    BeadPackingState beads;  ///< while an anneal stage runs
     // Power balance since the last measurement.
     bool has_energy = false;
-    double energy_fJ = 0.0;             ///< at the last measurement
-    double dissipated_fJ = 0.0;         ///< integral of v . Gamma v since then
-    double driven_fJ = 0.0;             ///< work put in by the wall and the controller since then
+    double energy_fJ = 0.0;      ///< at the last measurement
+    double dissipated_fJ = 0.0;  ///< integral of v . Gamma v since then
+    double driven_fJ = 0.0;      ///< work put in by the wall and the controller since then
     Diagnostics diagnostics;
-    StageEnd end = StageEnd::none;      ///< how the last finished stage ended
-    bool met_cap = false;               ///< a stage has ended at its cap
+    StageEnd end = StageEnd::none;  ///< how the last finished stage ended
+    bool met_cap = false;           ///< a stage has ended at its cap
 };
 
 [[nodiscard]] CheckpointData save(const RunState& run);

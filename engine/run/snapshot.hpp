@@ -15,11 +15,11 @@ namespace spheroscope {
 struct RunHeader {
     std::shared_ptr<const MeshTopology> topology;
     int n_cells = 0;
-    std::string title;              ///< scene title, shown in pictures
-    std::string scene_name;         ///< file name without folder, "first_light.toml"
-    std::string resolved_scene;     ///< the scene as resolved, TOML text
+    std::string title;           ///< scene title, shown in pictures
+    std::string scene_name;      ///< file name without folder, "first_light.toml"
+    std::string resolved_scene;  ///< the scene as resolved, TOML text
     std::uint64_t seed = 0;
-    std::string version;            ///< program version with commit
+    std::string version;  ///< program version with commit
     std::string command_line;
     std::vector<const Field*> fields;  ///< the fields that each snapshot carries, in this order
     std::vector<float> radius_um;      ///< [n_cells] rest radius
@@ -28,20 +28,20 @@ struct RunHeader {
 /// One touching pair of cells, cell_a < cell_b.
 struct ContactLink {
     int cell_a, cell_b;
-    float force_nN;     ///< F_ab . n_ab: > 0 repulsion (compression), < 0 adhesion (tension)
-    float area_um2;     ///< clip area, one-sided
+    float force_nN;  ///< F_ab . n_ab: > 0 repulsion (compression), < 0 adhesion (tension)
+    float area_um2;  ///< clip area, one-sided
 };
 
 /// How the engine got from the frame before to this one.
 struct Diagnostics {
-    std::int64_t steps = 0;            ///< accepted since the start of the run
+    std::int64_t steps = 0;  ///< accepted since the start of the run
     std::int64_t rejected_steps = 0;
     std::int64_t linear_iterations = 0;
-    double dt_s = 0.0;                 ///< last accepted step
-    double force_residual_nN = 0.0;    ///< RMS nodal force of all terms
-    double force_balance_nN = 0.0;     ///< |sum of all forces|
-    double step_error_um = 0.0;        ///< last error estimate
-    double wall_radius_um = 0.0;       ///< 0: no wall
+    double dt_s = 0.0;               ///< last accepted step
+    double force_residual_nN = 0.0;  ///< RMS nodal force of all terms
+    double force_balance_nN = 0.0;   ///< |sum of all forces|
+    double step_error_um = 0.0;      ///< last error estimate
+    double wall_radius_um = 0.0;     ///< 0: no wall
     double wall_force_nN = 0.0;
 };
 
@@ -50,12 +50,12 @@ struct Diagnostics {
 struct Snapshot {
     std::shared_ptr<const RunHeader> header;
     int frame = 0;
-    double time_s = 0.0;          ///< model time; seeding happens at 0
-    int stage = 0;                ///< index of the stage in the scene
-    std::string stage_name;       ///< "anneal", "compact", ...
-    double stage_progress = 0.0;  ///< 0..1 where the stage knows its end, else NaN
-    std::vector<float> x_um;      ///< [n_cells * n_nodes * 3]
-    std::vector<float> normal;    ///< [n_cells * n_nodes * 3], outward unit node normals
+    double time_s = 0.0;                     ///< model time; seeding happens at 0
+    int stage = 0;                           ///< index of the stage in the scene
+    std::string stage_name;                  ///< "anneal", "compact", ...
+    double stage_progress = 0.0;             ///< 0..1 where the stage knows its end, else NaN
+    std::vector<float> x_um;                 ///< [n_cells * n_nodes * 3]
+    std::vector<float> normal;               ///< [n_cells * n_nodes * 3], outward unit node normals
     std::vector<std::vector<float>> fields;  ///< one array for each of header->fields
     std::vector<float> centre_um;            ///< [n_cells * 3]
     std::vector<float> pressure_kPa;         ///< [n_cells]

@@ -72,7 +72,8 @@ SolveOutcome ConjugateGradients::solve(const VelocitySystem& system,
             for (int cell = cells.begin; cell < cells.end; ++cell) {
                 const std::span<Vec3> p = of_cell(direction_, cell);
                 const std::span<const Vec3> z = of_cell(preconditioned_, cell);
-                if (beta == 0.0) std::copy(z.begin(), z.end(), p.begin());
+                if (beta == 0.0)
+                    std::copy(z.begin(), z.end(), p.begin());
                 else
                     for (std::size_t i = 0; i < p.size(); ++i) p[i] = z[i] + beta * p[i];
             }

@@ -10,9 +10,9 @@ struct SolveOutcome {
     double relative_residual = 0.0;  ///< |b - A x| / |b|
 };
 
-/// Preconditioned conjugate gradients (Hestenes and Stiefel 1952) on a VelocitySystem, in one parallel
-/// region. Dot products are summed per cell, then over cells in index order by every member for itself:
-/// no broadcast, and the same bits for any number of threads.
+/// Preconditioned conjugate gradients (Hestenes and Stiefel 1952) on a VelocitySystem, in one
+/// parallel region. Dot products are summed per cell, then over cells in index order by every
+/// member for itself: no broadcast, and the same bits for any number of threads.
 class ConjugateGradients {
   public:
     /// x [all nodes]: start in, solution out. Stops at |b - A x| <= tolerance |b|.

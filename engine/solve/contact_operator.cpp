@@ -82,8 +82,8 @@ void ContactOperator::product_of_group(int g, const Model& model, double dt_s,
         const auto& l = e.graph.lambda;
         const auto& m = e.graph.mu;
         // Stiffness: k S n n^T on the relative displacement at the polygon's centroid.
-        const Vec3 relative = l[0] * a[0] + l[1] * a[1] + l[2] * a[2] -
-                              (m[0] * b[0] + m[1] * b[1] + m[2] * b[2]);
+        const Vec3 relative =
+            l[0] * a[0] + l[1] * a[1] + l[2] * a[2] - (m[0] * b[0] + m[1] * b[1] + m[2] * b[2]);
         const Vec3 spring = (dt_s * e.stiffness * e.normal.dot(relative)) * e.normal;
         for (std::size_t i = 0; i < 3; ++i) {
             group.y[e.a[i]] += e.tangential * y_a[i] + l[i] * spring;

@@ -14,10 +14,11 @@ namespace spheroscope {
 
 /// Friction and stiffness of all contacts, applied without a matrix.
 ///
-/// A product has two phases with a barrier between them. First every group (pair of cells) gathers the
-/// values of the nodes that it touches into a small local array, works through its pairs there, and
-/// leaves the result in another one; then every cell adds what its groups have left, in the order of the
-/// groups. Each pair is read once, nobody writes where another one does, and the sums have one order.
+/// A product has two phases with a barrier between them. First every group (pair of cells) gathers
+/// the values of the nodes that it touches into a small local array, works through its pairs there,
+/// and leaves the result in another one; then every cell adds what its groups have left, in the
+/// order of the groups. Each pair is read once, nobody writes where another one does, and the sums
+/// have one order.
 class ContactOperator {
   public:
     /// friction: empty if the scene has none. stiffness_kPa_per_um: k of the law; 0: no stiffness.
@@ -33,7 +34,8 @@ class ContactOperator {
     /// Phase 2, for one cell: out [n_nodes of the cell] += what its groups have left.
     void add_to_cell(int cell, const Contacts& contacts, std::span<Vec3> out) const;
     /// Adds the 3x3 diagonal blocks of one cell.
-    void add_diagonal(int cell, const Contacts& contacts, double dt_s, std::span<Mat3> blocks) const;
+    void add_diagonal(int cell, const Contacts& contacts, double dt_s,
+                      std::span<Mat3> blocks) const;
     [[nodiscard]] bool empty() const { return n_groups_ == 0; }
 
   private:
@@ -41,18 +43,18 @@ class ContactOperator {
         std::array<std::uint16_t, 3> a, b;  // into the group's local arrays
         PairGraph graph;
         Vec3 normal;
-        double tangential;   // S g_t, nN s/um
-        double normal_extra; // S (g_n - g_t)
-        double stiffness;    // S k, nN/um
+        double tangential;    // S g_t, nN s/um
+        double normal_extra;  // S (g_n - g_t)
+        double stiffness;     // S k, nN/um
     };
     struct Group {
         int cell_a = 0, cell_b = 0;
         std::vector<int> nodes_a, nodes_b;  // local array -> node of the cell
         std::vector<Element> elements;
-        std::vector<Vec3> u, y;             // A's nodes, then B's
+        std::vector<Vec3> u, y;  // A's nodes, then B's
     };
-    void build_group(const Model& model, const Contacts& contacts,
-                     const Contacts::Group& source, Group& group) const;
+    void build_group(const Model& model, const Contacts& contacts, const Contacts::Group& source,
+                     Group& group) const;
 
     std::optional<ContactFriction> friction_;
     double stiffness_kPa_per_um_ = 0.0;

@@ -16,7 +16,8 @@ struct Common {
     cholmod_common c{};
     Common() {
         cholmod_start(&c);
-        c.supernodal = CHOLMOD_SIMPLICIAL;  // the supernodal part is GPL, and no faster at this size
+        c.supernodal =
+            CHOLMOD_SIMPLICIAL;  // the supernodal part is GPL, and no faster at this size
         c.final_ll = 1;
         c.final_pack = 1;
         c.final_monotonic = 1;

@@ -8,10 +8,10 @@
 
 namespace spheroscope {
 
-/// Cholesky factor of one cell's constant friction matrix, drag + cortex Laplacian (n_nodes x n_nodes,
-/// the same for x, y and z). SuiteSparse's CHOLMOD (simplicial) orders and factors it once; the
-/// triangular solves here run over x, y and z together, allocate nothing and may be called by several
-/// threads at once.
+/// Cholesky factor of one cell's constant friction matrix, drag + cortex Laplacian (n_nodes x
+/// n_nodes, the same for x, y and z). SuiteSparse's CHOLMOD (simplicial) orders and factors it
+/// once; the triangular solves here run over x, y and z together, allocate nothing and may be
+/// called by several threads at once.
 class CortexFactor {
   public:
     /// drag [n_nodes], nN s/um, > 0.

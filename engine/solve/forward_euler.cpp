@@ -31,8 +31,8 @@ StepOutcome ForwardEuler::advance(System& system, State& state, double limit_s,
     const double end_s = step_end_s(state.time_s, parameters_.dt_s, limit_s);
     outcome.dt_s = end_s - state.time_s;
     const double wall_um = state.wall.acts() ? state.wall.radius_at(state.time_s) : 0.0;
-    outcome.trouble = system.evaluate(state.x_um, state.volume_integral_s, wall_um,
-                                      System::Detail::forces);
+    outcome.trouble =
+        system.evaluate(state.x_um, state.volume_integral_s, wall_um, System::Detail::forces);
     if (outcome.trouble) return outcome;
     describe_forces(system, outcome);
 
@@ -41,22 +41,22 @@ StepOutcome ForwardEuler::advance(System& system, State& state, double limit_s,
         system.solve_friction(system.force_nN(), v_, parameters_.linear_tolerance);
     outcome.linear_iterations = solve.iterations;
     if (!solve.converged) {
-        outcome.trouble = Trouble{"the friction matrix could not be solved", "", -1, -1,
-                                  parameters_.loc};
+        outcome.trouble =
+            Trouble{"the friction matrix could not be solved", "", -1, -1, parameters_.loc};
         return outcome;
     }
     outcome.largest_displacement_um = outcome.dt_s * largest_speed_um_per_s(v_);
-    // A node that moves half an edge in one step has left its neighbourhood: the step is too large for
-    // the stiffest mode. Going on would bounce the cells apart with finite numbers.
+    // A node that moves half an edge in one step has left its neighbourhood: the step is too large
+    // for the stiffest mode. Going on would bounce the cells apart with finite numbers.
     for (int cell = 0; cell < model.n_cells(); ++cell) {
-        const double half_edge_um =
-            0.5 * model.unit_edge_length[0] * model.radius_um[idx(cell)];
+        const double half_edge_um = 0.5 * model.unit_edge_length[0] * model.radius_um[idx(cell)];
         const std::span<const Vec3> v = model.cell_nodes(std::span<const Vec3>(v_), cell);
         for (std::size_t i = 0; i < v.size(); ++i)
             if (!(outcome.dt_s * v[i].norm() <= half_edge_um)) {
-                outcome.trouble = Trouble{"unstable: a node moves more than half an edge in one step"
-                                          " (a smaller method.dt, or linearly_implicit, would hold)",
-                                          "", cell, static_cast<int>(i), parameters_.loc};
+                outcome.trouble =
+                    Trouble{"unstable: a node moves more than half an edge in one step"
+                            " (a smaller method.dt, or linearly_implicit, would hold)",
+                            "", cell, static_cast<int>(i), parameters_.loc};
                 return outcome;
             }
     }

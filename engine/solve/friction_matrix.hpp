@@ -10,9 +10,9 @@ namespace spheroscope {
 
 /// Which frictions a scene has; each one that is absent costs nothing.
 struct Frictions {
-    double eta_f_kPa_s = 0.0;                  ///< medium, eqn (14); always present
-    double edge_nN_s_per_um = 0.0;             ///< cortex, eqns (15), (16); 0: absent
-    std::optional<ContactFriction> contact;    ///< eqns (17), (18)
+    double eta_f_kPa_s = 0.0;                ///< medium, eqn (14); always present
+    double edge_nN_s_per_um = 0.0;           ///< cortex, eqns (15), (16); 0: absent
+    std::optional<ContactFriction> contact;  ///< eqns (17), (18)
 };
 
 /// The cheapest shape that the friction matrix can have in a scene.

@@ -1,14 +1,15 @@
-// Linearly implicit (semi-implicit) Euler: (Gamma + dt K) v = F(x_n), x_{n+1} = x_n + dt v, with K >= 0 an
-// approximation of -dF/dx. First order, stable for any step: one force evaluation, one stiffness and one
-// solve take the place of the tens of small steps that the stiffest spring or contact would dictate.
+// Linearly implicit (semi-implicit) Euler: (Gamma + dt K) v = F(x_n), x_{n+1} = x_n + dt v, with K
+// >= 0 an approximation of -dF/dx. First order, stable for any step: one force evaluation, one
+// stiffness and one solve take the place of the tens of small steps that the stiffest spring or
+// contact would dictate.
 //
-// Volume: P at the end of the step is P_n - [K dt + K dt^2/T_I + K T_d] S.v/V* - (K/T_I) dt eps_n, from
-// eps_{n+1} = eps_n + dt S.v/V* and I_{n+1} = I_n + dt eps_{n+1}. So the integral of (13) is an unknown of
-// the same implicit step, and all of it is one rank-one matrix per cell.
+// Volume: P at the end of the step is P_n - [K dt + K dt^2/T_I + K T_d] S.v/V* - (K/T_I) dt eps_n,
+// from eps_{n+1} = eps_n + dt S.v/V* and I_{n+1} = I_n + dt eps_{n+1}. So the integral of (13) is
+// an unknown of the same implicit step, and all of it is one rank-one matrix per cell.
 //
-// Step size: the local error is estimated by dt/2 |v_{n+1} - v_n| (v_n: velocity of the step before), RMS
-// over the nodes of a cell, the largest cell; and no node moves more than the displacement bound, because
-// the contacts of a step are those of its start.
+// Step size: the local error is estimated by dt/2 |v_{n+1} - v_n| (v_n: velocity of the step
+// before), RMS over the nodes of a cell, the largest cell; and no node moves more than the
+// displacement bound, because the contacts of a step are those of its start.
 
 #include "engine/solve/linearly_implicit.hpp"
 
@@ -53,8 +54,8 @@ void LinearlyImplicit::set_up(System& system, double dt_s, bool freeze_volume_in
             model.target_volume_um3[idx(cell)];
         if (integral_rate == 0.0) continue;
         const double pressure_kPa = -integral_rate * dt_s * cytosol->volume_strain(at, cell);
-        const std::span<const Vec3> S = model.cell_nodes(
-            std::span<const Vec3>(system.geometry().volume_gradient_um2), cell);
+        const std::span<const Vec3> S =
+            model.cell_nodes(std::span<const Vec3>(system.geometry().volume_gradient_um2), cell);
         const std::span<Vec3> b = model.cell_nodes(std::span<Vec3>(b_), cell);
         for (std::size_t i = 0; i < b.size(); ++i) b[i] += pressure_kPa * S[i];
     }
@@ -88,13 +89,13 @@ StepOutcome LinearlyImplicit::advance(System& system, State& state, double limit
         outcome.linear_iterations += solve.iterations;
 
         outcome.largest_displacement_um = dt_s * largest_speed_um_per_s(v_);
-        outcome.error_um = state.has_velocity
-                               ? 0.5 * dt_s * largest_cell_rms(model, v_, state.v_um_per_s)
-                               : 0.0;
+        outcome.error_um =
+            state.has_velocity ? 0.5 * dt_s * largest_cell_rms(model, v_, state.v_um_per_s) : 0.0;
         // How much larger the step may be, from the error (order 2 locally) and from the bound.
         double factor = 2.0;
         bool good = solve.converged;
-        if (!solve.converged) factor = 0.5;
+        if (!solve.converged)
+            factor = 0.5;
         else if (adaptive) {
             if (outcome.error_um > 0.0)
                 factor = std::min(factor, 0.85 * std::sqrt(p.tolerance_um / outcome.error_um));
@@ -108,9 +109,10 @@ StepOutcome LinearlyImplicit::advance(System& system, State& state, double limit
         if (good) {
             describe_powers(system, state, freeze_volume_integral, v_, outcome);
             if (adaptive) {
-                // A step that was cut short by the limit says nothing against the size that was wanted.
-                const double base_s = std::max(dt_s * factor, dt_s < wanted_s && factor >= 1.0
-                                                                  ? wanted_s : 0.0);
+                // A step that was cut short by the limit says nothing against the size that was
+                // wanted.
+                const double base_s =
+                    std::max(dt_s * factor, dt_s < wanted_s && factor >= 1.0 ? wanted_s : 0.0);
                 state.next_dt_s = std::min(base_s, p.dt_max_s);
             }
             if (!volume_coefficient_.empty() && !freeze_volume_integral) {

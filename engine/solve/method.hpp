@@ -13,22 +13,23 @@ namespace spheroscope {
 struct [[nodiscard]] StepOutcome {
     bool accepted = false;
     double dt_s = 0.0;
-    double error_um = 0.0;                 ///< estimate of the local error; 0 if the method has none
+    double error_um = 0.0;  ///< estimate of the local error; 0 if the method has none
     double largest_displacement_um = 0.0;
-    int rejected = 0;                      ///< attempts with larger steps before this one
+    int rejected = 0;  ///< attempts with larger steps before this one
     int linear_iterations = 0;
     double force_rms_nN = 0.0;             ///< RMS over nodes of F at the start of the step
     double force_sum_nN = 0.0;             ///< |sum of F| there
     double dissipation_nN_um_per_s = 0.0;  ///< v . Gamma v
-    double drive_power_nN_um_per_s = 0.0;  ///< power put in by the moving wall and the volume controller
-    std::optional<Trouble> trouble;        ///< if not accepted
+    double drive_power_nN_um_per_s =
+        0.0;                         ///< power put in by the moving wall and the volume controller
+    std::optional<Trouble> trouble;  ///< if not accepted
 };
 
 struct MethodParameters {
-    double dt_s = 0.0;              ///< fixed step, or the first step of an adaptive method
+    double dt_s = 0.0;  ///< fixed step, or the first step of an adaptive method
     double dt_max_s = 1.0;
     double dt_min_s = 1e-6;
-    double tolerance_um = 0.0;      ///< local error per step; 0: fixed steps
+    double tolerance_um = 0.0;            ///< local error per step; 0: fixed steps
     double displacement_bound_um = 0.15;  ///< largest displacement of a node per step
     double linear_tolerance = 1e-3;
     Loc loc;
@@ -46,9 +47,9 @@ class Method {
 
 /// A row of the table of methods.
 struct MethodRow {
-    std::string_view name;         ///< in scenes: method.name
-    int order;                     ///< of the error in time
-    bool adaptive;                 ///< has an error estimate
+    std::string_view name;  ///< in scenes: method.name
+    int order;              ///< of the error in time
+    bool adaptive;          ///< has an error estimate
     bool needs_stiffness;
     std::string_view description;
     std::unique_ptr<Method> (*make)(const MethodParameters&);

@@ -18,8 +18,8 @@ void describe_powers(System& system, const State& state, bool freeze_volume_inte
 [[nodiscard]] double largest_cell_rms(const Model& model, std::span<const Vec3> a,
                                       std::span<const Vec3> b);
 
-/// End of a step that starts at time_s, wants dt_s and must not pass limit_s: lands exactly on the limit,
-/// and never leaves a remainder that is too small to be a step.
+/// End of a step that starts at time_s, wants dt_s and must not pass limit_s: lands exactly on the
+/// limit, and never leaves a remainder that is too small to be a step.
 [[nodiscard]] double step_end_s(double time_s, double dt_s, double limit_s);
 
 }  // namespace spheroscope

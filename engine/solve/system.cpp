@@ -52,10 +52,11 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
         return kept.size() == asked.size() &&
                std::memcmp(kept.data(), asked.data(), asked.size_bytes()) == 0;
     };
-    // Measures look at a configuration just before a method starts from it; comparing costs a thousandth
-    // of evaluating.
-    if (is_evaluated_ && (has_stiffness_ || !wants_stiffness) && wall_radius_um == wall_radius_um_ &&
-        same_bits(x_um_, x_um) && same_bits(volume_integral_s_, volume_integral_s))
+    // Measures look at a configuration just before a method starts from it; comparing costs a
+    // thousandth of evaluating.
+    if (is_evaluated_ && (has_stiffness_ || !wants_stiffness) &&
+        wall_radius_um == wall_radius_um_ && same_bits(x_um_, x_um) &&
+        same_bits(volume_integral_s_, volume_integral_s))
         return {};
     is_evaluated_ = false;
     x_um_.assign(x_um.begin(), x_um.end());
@@ -63,16 +64,16 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
     wall_radius_um_ = wall_radius_um;
     has_stiffness_ = wants_stiffness;
     if (needs_ != Need::none)
-        workers_.loop(model_.n_cells(), [&](int cell) {
-            geometry_.compute_cell(model_, x_um_, needs_, cell);
-        });
+        workers_.loop(model_.n_cells(),
+                      [&](int cell) { geometry_.compute_cell(model_, x_um_, needs_, cell); });
     if (search_) {
         search_->find(model_, x_um_, geometry_, workers_, contacts_);
         ++work_.contact_searches;
         if (parts_.frictions.contact || has_stiffness_)
             pairs_.build(model_, contacts_, parts_.frictions.contact,
                          has_stiffness_ ? parts_.contact->k_kPa_per_um : 0.0, workers_);
-        else pairs_.clear();
+        else
+            pairs_.clear();
     }
     if (has_stiffness_) stiffness_.resize(model_.radius_um.size());
     const Configuration at = configuration();
@@ -161,7 +162,8 @@ SolveOutcome System::solve_friction(std::span<const Vec3> b, std::span<Vec3> v, 
     if (!friction_preconditioner_) {
         if (shape == FrictionShape::diagonal || parts_.frictions.edge_nN_s_per_um == 0.0)
             friction_preconditioner_ = std::make_unique<DragPreconditioner>();
-        else friction_preconditioner_ = std::make_unique<CortexPreconditioner>();
+        else
+            friction_preconditioner_ = std::make_unique<CortexPreconditioner>();
     }
     friction_preconditioner_->prepare(system, workers_);
     if (const auto* cortex = dynamic_cast<CortexPreconditioner*>(friction_preconditioner_.get()))

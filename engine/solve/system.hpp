@@ -17,14 +17,15 @@ namespace spheroscope {
 /// The parts that a scene names; what is absent is not built.
 struct SystemParts {
     std::vector<std::unique_ptr<ForceTerm>> terms;
-    const ForceTerm* wall = nullptr;             ///< one of `terms`; acts only while State::wall does
-    const CytosolPressure* cytosol = nullptr;    ///< one of `terms`
+    const ForceTerm* wall = nullptr;           ///< one of `terms`; acts only while State::wall does
+    const CytosolPressure* cytosol = nullptr;  ///< one of `terms`
     Frictions frictions;
     std::optional<ContactLaw> contact;
-    double contact_skin_um = 0.3;                ///< of the candidate lists; results do not depend on it
+    double contact_skin_um = 0.3;  ///< of the candidate lists; results do not depend on it
 };
 
-/// Something went wrong in the numbers; says where, for a message that names term, cell and scene line.
+/// Something went wrong in the numbers; says where, for a message that names term, cell and scene
+/// line.
 struct Trouble {
     std::string what;
     std::string term;  ///< "" if no single one is to blame
@@ -34,8 +35,8 @@ struct Trouble {
     [[nodiscard]] std::string text() const;
 };
 
-/// The right-hand side and the matrices of the equation of motion Gamma v = F, of one configuration at a
-/// time. Knows no method; methods know no term.
+/// The right-hand side and the matrices of the equation of motion Gamma v = F, of one configuration
+/// at a time. Knows no method; methods know no term.
 class System {
   public:
     /// `also`: geometry that somebody else than the terms will read (measures).

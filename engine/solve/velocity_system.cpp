@@ -33,8 +33,7 @@ void VelocitySystem::product_of_cell(int cell, std::span<const Vec3> u_all,
     if (!pairs.empty()) pairs.add_to_cell(cell, contacts, out);
 }
 
-void VelocitySystem::product(std::span<const Vec3> u, std::span<Vec3> out,
-                             Workers& workers) const {
+void VelocitySystem::product(std::span<const Vec3> u, std::span<Vec3> out, Workers& workers) const {
     workers.loop(n_groups(), [&](int group) { product_of_group(group, u); });
     workers.loop(model.n_cells(),
                  [&](int cell) { product_of_cell(cell, u, model.cell_nodes(out, cell)); });
@@ -82,16 +81,14 @@ void BlockJacobi::prepare_cell(const VelocitySystem& system, int cell) {
         const int degree = mesh.neighbour_begin[i + 1] - mesh.neighbour_begin[i];
         blocks[i] = (drag[i] + system.edge_friction * degree) * Mat3::Identity();
     }
-    if (!system.stiffness.empty())
-        system.stiffness[idx(cell)].add_diagonal(system.dt_s, blocks);
+    if (!system.stiffness.empty()) system.stiffness[idx(cell)].add_diagonal(system.dt_s, blocks);
     if (!system.pairs.empty())
         system.pairs.add_diagonal(cell, system.contacts, system.dt_s, blocks);
     for (Mat3& block : blocks) block = block.inverse().eval();
 }
 
 void BlockJacobi::apply_base(int cell, std::span<const Vec3> r, std::span<Vec3> z) const {
-    const std::span<const Mat3> inverse =
-        model_->cell_nodes(std::span<const Mat3>(inverse_), cell);
+    const std::span<const Mat3> inverse = model_->cell_nodes(std::span<const Mat3>(inverse_), cell);
     for (std::size_t i = 0; i < r.size(); ++i) z[i] = inverse[i] * r[i];
 }
 

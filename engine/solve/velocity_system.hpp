@@ -12,9 +12,9 @@ namespace spheroscope {
 
 /// The linear system of one step, (Gamma + dt K) v = b, never assembled:
 ///
-///   Gamma = drag (diagonal) + cortex (the mesh's Laplacian, shared by all cells) + contacts (pairs)
-///   K     = elements of each cell (CellStiffness) + contacts (k S n n^T per pair)
-///   and per cell one rank-one part, coefficient * S S^T with S = dV/dx: the derivative part of the volume
+///   Gamma = drag (diagonal) + cortex (the mesh's Laplacian, shared by all cells) + contacts
+///   (pairs) K     = elements of each cell (CellStiffness) + contacts (k S n n^T per pair) and per
+///   cell one rank-one part, coefficient * S S^T with S = dV/dx: the derivative part of the volume
 ///   controller, and in an implicit method its stiffness.
 ///
 /// With dt = 0 and no stiffness it is the friction matrix alone.
@@ -40,8 +40,9 @@ struct VelocitySystem {
     void product(std::span<const Vec3> u, std::span<Vec3> out, Workers& workers) const;
 };
 
-/// An approximate inverse that treats every cell by itself. The rank-one volume part is inverted exactly
-/// (Sherman and Morrison 1950), whatever the rest is: without it the iterations would double.
+/// An approximate inverse that treats every cell by itself. The rank-one volume part is inverted
+/// exactly (Sherman and Morrison 1950), whatever the rest is: without it the iterations would
+/// double.
 class Preconditioner {
   public:
     virtual ~Preconditioner() = default;
@@ -74,8 +75,8 @@ class BlockJacobi final : public Preconditioner {
     std::vector<Mat3> inverse_;  // [all nodes]
 };
 
-/// The constant part of the friction matrix, factored once per cell size: exact without contacts (then it
-/// is a direct solver), a good start with them.
+/// The constant part of the friction matrix, factored once per cell size: exact without contacts
+/// (then it is a direct solver), a good start with them.
 class CortexPreconditioner final : public Preconditioner {
   public:
     /// Counts one factorisation for each distinct radius.

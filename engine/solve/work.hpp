@@ -6,8 +6,8 @@
 
 namespace spheroscope {
 
-/// What a run has done, counted where it happens. A part of every report; tests assert that what a scene
-/// does not need is exactly 0.
+/// What a run has done, counted where it happens. A part of every report; tests assert that what a
+/// scene does not need is exactly 0.
 struct Work {
     struct TermCount {
         std::string term;
@@ -21,7 +21,7 @@ struct Work {
     std::int64_t contact_candidates = 0;
     std::int64_t contact_pairs = 0;
     std::int64_t contact_too_deep = 0;
-    std::int64_t linear_solves = 0;      ///< iterative
+    std::int64_t linear_solves = 0;  ///< iterative
     std::int64_t linear_iterations = 0;
     std::int64_t factorisations = 0;
     std::int64_t direct_solves = 0;

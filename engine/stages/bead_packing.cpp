@@ -32,10 +32,10 @@ void check(const RadiusDistribution& d, int n) {
             "shape = (mean / standard deviation)^2");
     require(d.scale_um > 0.0, fmt::format("scale of the radii > 0 wanted, got {} um", d.scale_um),
             "scale = variance / mean");
-    require(d.min_um > 0.0 && d.min_um < d.max_um,
-            fmt::format("radii 0 < min < max wanted, got min = {} um, max = {} um", d.min_um,
-                        d.max_um),
-            "the paper uses 5 um and 13 um");
+    require(
+        d.min_um > 0.0 && d.min_um < d.max_um,
+        fmt::format("radii 0 < min < max wanted, got min = {} um, max = {} um", d.min_um, d.max_um),
+        "the paper uses 5 um and 13 um");
 }
 
 /// Hands the radii on when they and the parameters can be packed.

@@ -34,18 +34,18 @@ struct BeadPackingParameters {
     /// curved wall: at 0.60 nearly all seeds with 13 or 20 beads, and some with 30, overlap too
     /// much to be accepted; at 0.55 each of ten is accepted, with any of these numbers.
     double packing_fraction = 0.60;
-    int steps = 20000;                  ///< of annealing
-    double dt = 0.1;                    ///< time step of annealing
-    double first_noise = 0.2;           ///< s.d. of the random force per step, component; at s = 0
-    double noise_decay = 8.0;           ///< it decays as exp(-noise_decay s)
-    double first_stiffness = 0.05;      ///< stiffness rises linearly from this to 1, over k_max
+    int steps = 20000;              ///< of annealing
+    double dt = 0.1;                ///< time step of annealing
+    double first_noise = 0.2;       ///< s.d. of the random force per step, component; at s = 0
+    double noise_decay = 8.0;       ///< it decays as exp(-noise_decay s)
+    double first_stiffness = 0.05;  ///< stiffness rises linearly from this to 1, over k_max
     /// Centring force at the wall, over k_max R, times R_box / R: stiffness of centring =
     /// centring (R / R_box)^2. It brings loose beads to the others. With the square, the overlap
     /// that it causes in the middle is about centring / 7 of a diameter for any number of beads.
     double centring = 0.01;
-    double force_tolerance = 1e-6;      ///< at the end every bead's force is below this
-    int descent_steps_max = 200000;     ///< give up after so many steps of the final descent
-    double accepted_overlap = 0.02;     ///< largest accepted mean overlap / diameter
+    double force_tolerance = 1e-6;   ///< at the end every bead's force is below this
+    int descent_steps_max = 200000;  ///< give up after so many steps of the final descent
+    double accepted_overlap = 0.02;  ///< largest accepted mean overlap / diameter
 };
 
 /// What a packing is: done and good, or why not.
@@ -70,7 +70,7 @@ enum class PackingPhase : int { annealing = 0, descent = 1, finished = 2 };
 /// All that changes while beads are packed; with (radii, parameters, seed) it determines the rest.
 struct BeadPackingState {
     PackingPhase phase = PackingPhase::annealing;
-    int step = 0;                ///< annealing steps done
+    int step = 0;  ///< annealing steps done
     int descent_step = 0;
     double largest_force = 0.0;  ///< at the latest check, in the final descent
     std::vector<Vec3> x;         ///< [n beads] centres over the mean radius

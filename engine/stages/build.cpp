@@ -41,8 +41,8 @@ bool has_wall(const scene::Scene& scene) {
 
 ContactLaw contact_law(const scene::Contact& contact) {
     return contact.adhesive
-               ? adhesive_law(contact.W_nN_per_um, contact.h0_um,
-                              contact.equilibrium_overlap_h0, contact.reject_cos)
+               ? adhesive_law(contact.W_nN_per_um, contact.h0_um, contact.equilibrium_overlap_h0,
+                              contact.reject_cos)
                : repulsive_law(contact.repulsion_k_kPa_per_um, contact.h0_um, contact.reject_cos);
 }
 
@@ -87,11 +87,10 @@ std::vector<double> cell_radii(const scene::Scene& scene, const std::optional<Gi
         for (const auto& row : cells.centres_um) radii.push_back(row[3]);
         return radii;
     }
-    if (cells.radius.fixed_um)
-        return std::vector<double>(idx(cells.count), *cells.radius.fixed_um);
-    return draw_radii({cells.radius.shape, cells.radius.scale_um, cells.radius.min_um,
-                       cells.radius.max_um},
-                      cells.count, scene.seed);
+    if (cells.radius.fixed_um) return std::vector<double>(idx(cells.count), *cells.radius.fixed_um);
+    return draw_radii(
+        {cells.radius.shape, cells.radius.scale_um, cells.radius.min_um, cells.radius.max_um},
+        cells.count, scene.seed);
 }
 
 std::vector<Vec3> start_positions(const scene::Scene& scene, const Model& model,
@@ -101,8 +100,8 @@ std::vector<Vec3> start_positions(const scene::Scene& scene, const Model& model,
     case scene::Arrangement::packing: break;  // the anneal stage places them
     case scene::Arrangement::single: place_unturned(model, 0, Vec3::Zero(), x_um); break;
     case scene::Arrangement::pair: {
-        // The gap is between the spheres on which the nodes lie. Both cells keep the orientation of the
-        // rest shape, so a doublet is the same whatever the seed.
+        // The gap is between the spheres on which the nodes lie. Both cells keep the orientation of
+        // the rest shape, so a doublet is the same whatever the seed.
         const double node_radius = model.topology->unit_shape[0].norm();
         const double half_um =
             0.5 * (node_radius * (model.radius_um[0] + model.radius_um[1]) + scene.cells.gap_um);
@@ -142,8 +141,8 @@ void place_cells(const Model& model, std::span<const Vec3> centre_um, std::uint6
         const Mat3 rotation = random_rotation(seed, cell);
         const std::span<Vec3> x = model.cell_nodes(x_um, cell);
         for (std::size_t i = 0; i < x.size(); ++i)
-            x[i] = centre_um[idx(cell)] + model.radius_um[idx(cell)] *
-                                              (rotation * model.topology->unit_shape[i]);
+            x[i] = centre_um[idx(cell)] +
+                   model.radius_um[idx(cell)] * (rotation * model.topology->unit_shape[i]);
     }
 }
 
@@ -156,7 +155,8 @@ SystemParts build_parts(const scene::Scene& scene) {
         return raw;
     };
     if (const auto& p = scene.cortex.elastic)
-        add(std::make_unique<InPlaneElasticity>(p->loc, InPlaneElasticityParameters{p->E_kPa, t_um}));
+        add(std::make_unique<InPlaneElasticity>(p->loc,
+                                                InPlaneElasticityParameters{p->E_kPa, t_um}));
     if (const auto& p = scene.cortex.bending)
         add(std::make_unique<Bending>(p->loc,
                                       BendingParameters{p->E_kPa, t_um, p->poisson, p->factor}));
@@ -171,11 +171,10 @@ SystemParts build_parts(const scene::Scene& scene) {
     if (const auto& p = scene.cytosol) {
         const bool is_pid = p->controller == scene::VolumeController::pid;
         parts.cytosol = add(std::make_unique<CytosolPressure>(
-            p->loc,
-            CytosolPressureParameters{
-                p->K_kPa, is_pid ? p->T_I_s : std::numeric_limits<double>::infinity(),
-                is_pid ? p->T_d_s : 0.0, p->extra_pressure_kPa,
-                scene.cortex.tension ? scene.cortex.tension->gamma_nN_per_um : 0.0}));
+            p->loc, CytosolPressureParameters{
+                        p->K_kPa, is_pid ? p->T_I_s : std::numeric_limits<double>::infinity(),
+                        is_pid ? p->T_d_s : 0.0, p->extra_pressure_kPa,
+                        scene.cortex.tension ? scene.cortex.tension->gamma_nN_per_um : 0.0}));
     }
     if (const auto& p = scene.contact) {
         parts.contact = contact_law(*p);
@@ -186,8 +185,8 @@ SystemParts build_parts(const scene::Scene& scene) {
     }
     if (const auto& p = scene.body_force)
         add(std::make_unique<BodyForce>(
-            p->loc, BodyForceParameters{Vec3(p->force_nN[0], p->force_nN[1], p->force_nN[2]),
-                                        p->opposed}));
+            p->loc,
+            BodyForceParameters{Vec3(p->force_nN[0], p->force_nN[1], p->force_nN[2]), p->opposed}));
     if (has_wall(scene))
         parts.wall = add(std::make_unique<CompactionWall>(
             scene.stages.front().loc, CompactionWallParameters{wall_stiffness_kPa_per_um(scene)}));

@@ -13,12 +13,13 @@ namespace spheroscope {
 
 /// Cells that come from elsewhere (a frame of an earlier run).
 struct GivenCells {
-    std::vector<double> radius_um;   ///< [n_cells]
-    std::vector<Vec3> x_um;          ///< [n_cells * n_nodes]
+    std::vector<double> radius_um;  ///< [n_cells]
+    std::vector<Vec3> x_um;         ///< [n_cells * n_nodes]
     int n_nodes = 0;
 };
 
-/// Radii of the scene's cells; for a packing they are drawn, for a given start they are the given ones.
+/// Radii of the scene's cells; for a packing they are drawn, for a given start they are the given
+/// ones.
 [[nodiscard]] std::vector<double> cell_radii(const scene::Scene& scene,
                                              const std::optional<GivenCells>& given);
 
@@ -27,8 +28,8 @@ struct GivenCells {
 [[nodiscard]] std::vector<Vec3> start_positions(const scene::Scene& scene, const Model& model,
                                                 const std::optional<GivenCells>& given);
 
-/// Puts a rest-shape cell at each centre, each turned by its own random rotation (seeded): with equal
-/// orientations the meshes of neighbours would be aligned with each other.
+/// Puts a rest-shape cell at each centre, each turned by its own random rotation (seeded): with
+/// equal orientations the meshes of neighbours would be aligned with each other.
 void place_cells(const Model& model, std::span<const Vec3> centre_um, std::uint64_t seed,
                  std::span<Vec3> x_um);
 
@@ -40,12 +41,13 @@ void place_cells(const Model& model, std::span<const Vec3> centre_um, std::uint6
 
 /// One line of `check --explain`: a part of the program, and why it is in the run or not.
 struct PlanRow {
-    std::string part;      ///< "cortex.bending", "contact search", "linear solver", a field ...
+    std::string part;  ///< "cortex.bending", "contact search", "linear solver", a field ...
     std::string equation;
     bool is_in = false;
-    std::string because;   ///< the scene line, or what is missing
+    std::string because;  ///< the scene line, or what is missing
 };
-/// Every part that a scene can have, in the order of a step. Throws Error for an unknown method or field.
+/// Every part that a scene can have, in the order of a step. Throws Error for an unknown method or
+/// field.
 [[nodiscard]] std::vector<PlanRow> explain(const scene::Scene& scene);
 
 }  // namespace spheroscope

@@ -4,10 +4,10 @@
 
 namespace spheroscope {
 
-/// A spherical frictionless wall about the origin falls linearly from touching to R_th (the radius of the
-/// sphere with the volume of all cells) in the stage's duration. It stops at the first of: the cells fill
-/// `volume_fraction` of it; the contact fraction rises slower than `contact_rate_per_s`; R_th. The paper
-/// compresses 'briefly until confluent' and prints no more.
+/// A spherical frictionless wall about the origin falls linearly from touching to R_th (the radius
+/// of the sphere with the volume of all cells) in the stage's duration. It stops at the first of:
+/// the cells fill `volume_fraction` of it; the contact fraction rises slower than
+/// `contact_rate_per_s`; R_th. The paper compresses 'briefly until confluent' and prints no more.
 class Compaction final : public Stage {
   public:
     using Stage::Stage;

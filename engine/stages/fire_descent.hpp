@@ -14,8 +14,8 @@ namespace spheroscope {
 struct FireState {
     std::vector<Vec3> velocity;  ///< [n points]
     double dt = 0.0;
-    double mixing = 0.0;         ///< alpha of the paper: weight of the force's direction
-    int n_downhill = 0;          ///< steps since the last stop
+    double mixing = 0.0;  ///< alpha of the paper: weight of the force's direction
+    int n_downhill = 0;   ///< steps since the last stop
 };
 
 /// At rest, with the first time step. Stable for largest_dt < 2 / (largest angular frequency).

@@ -51,15 +51,16 @@ StageEnd Relaxation::after_measure(StageContext& context, const Totals& totals) 
         samples.erase(samples.begin(), samples.begin() + k_row);
     if (context.state.time_s - samples[0] < k_window_s * (1.0 - 1e-9)) return StageEnd::none;
 
-    // The core's mean is a difference of cells under tension and compression; where it nearly cancels,
-    // 0.5 % of itself is below what any cell's stress can be steady to. Then the mean |sigma_h| is its size.
-    const double core_size =
-        std::fmax(std::abs(totals.sigma_h_core_kPa), totals.sigma_h_size_kPa);
+    // The core's mean is a difference of cells under tension and compression; where it nearly
+    // cancels, 0.5 % of itself is below what any cell's stress can be steady to. Then the mean
+    // |sigma_h| is its size.
+    const double core_size = std::fmax(std::abs(totals.sigma_h_core_kPa), totals.sigma_h_size_kPa);
     if (!is_steady(samples[1], row[1], core_size) ||
         !is_steady(samples[2], row[2], std::abs(row[2])) ||
         !is_steady(samples[3], row[3], std::abs(row[3])))
         return StageEnd::none;
-    // Where every sigma_h is zero (two equal cells), the defect is 0/0: then the mean itself decides.
+    // Where every sigma_h is zero (two equal cells), the defect is 0/0: then the mean itself
+    // decides.
     const bool no_stress =
         std::abs(totals.sigma_h_mean_kPa) < k_no_stress * totals.mean_pressure_kPa;
     if (!std::isnan(totals.virial_defect) && !(totals.virial_defect < k_virial_defect) &&

@@ -6,11 +6,12 @@ namespace spheroscope {
 
 /// Nothing acts but the cells themselves.
 ///
-/// `rest` means all of: RMS normal node velocity < 1e-3 um/s; |sum V sigma_h| < 1 % of sum V |sigma_h|; core
-/// sigma_h, Z and contact fraction change by less than 0.5 % in 5 s. `stationary` asks for the last two only:
-/// soft meshes creep along their surface for minutes while nothing that is measured moves; the creep is
-/// reported. A stage that reaches its cap ends as `cap`, and that is never called converged. Numbers that a
-/// scene has not (no contacts, no core cells) are left out of the condition.
+/// `rest` means all of: RMS normal node velocity < 1e-3 um/s; |sum V sigma_h| < 1 % of sum V
+/// |sigma_h|; core sigma_h, Z and contact fraction change by less than 0.5 % in 5 s. `stationary`
+/// asks for the last two only: soft meshes creep along their surface for minutes while nothing that
+/// is measured moves; the creep is reported. A stage that reaches its cap ends as `cap`, and that
+/// is never called converged. Numbers that a scene has not (no contacts, no core cells) are left
+/// out of the condition.
 class Relaxation final : public Stage {
   public:
     using Stage::Stage;

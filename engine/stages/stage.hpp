@@ -18,8 +18,8 @@ enum class StageEnd { none, done, rest, stationary, cap };
 /// What a stage remembers between steps; a part of every checkpoint.
 struct StageMemory {
     double start_s = 0.0;
-    double touching_wall_um = 0.0;   ///< where the wall first touched; the release goes back to it
-    std::vector<double> samples;     ///< rows of a stage's own table, flat
+    double touching_wall_um = 0.0;  ///< where the wall first touched; the release goes back to it
+    std::vector<double> samples;    ///< rows of a stage's own table, flat
 };
 
 /// What a stage may see and change.

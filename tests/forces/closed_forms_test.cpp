@@ -2,7 +2,6 @@
 #include "engine/forces/bending.hpp"
 #include "engine/forces/cytosol_pressure.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
-
 #include "tests/forces/test_cell.hpp"
 
 #include <gtest/gtest.h>
@@ -37,10 +36,8 @@ TEST(Tension, RightTrianglePullsItsCornerInwardByHalfGammaOnEachAxis) {
     const double gamma = 0.5;
     const Vec3 i(0, 0, 0), j(1, 0, 0), k(0, 1, 0), n(0, 0, 1);
     EXPECT_NEAR((tension_force_nN(gamma, j, k, n) - gamma / 2 * Vec3(1, 1, 0)).norm(), 0.0, 1e-15);
-    EXPECT_NEAR((tension_force_nN(gamma, k, i, n) - gamma / 2 * Vec3(-1, 0, 0)).norm(), 0.0,
-                1e-15);
-    EXPECT_NEAR((tension_force_nN(gamma, i, j, n) - gamma / 2 * Vec3(0, -1, 0)).norm(), 0.0,
-                1e-15);
+    EXPECT_NEAR((tension_force_nN(gamma, k, i, n) - gamma / 2 * Vec3(-1, 0, 0)).norm(), 0.0, 1e-15);
+    EXPECT_NEAR((tension_force_nN(gamma, i, j, n) - gamma / 2 * Vec3(0, -1, 0)).norm(), 0.0, 1e-15);
 }
 
 // The energy gamma A is of degree 2 in the coordinates.

@@ -1,5 +1,4 @@
 #include "engine/forces/terms.hpp"
-
 #include "tests/forces/test_cell.hpp"
 
 #include <gtest/gtest.h>
@@ -135,8 +134,7 @@ TEST_P(EveryTerm, ForcesHaveNoSumAndNoTorqueExactlyWhereTheTableSaysInternal) {
 }
 
 TEST_P(InternalTerm, ForcesTurnWithTheCell) {
-    const Mat3 turn =
-        Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+    const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
     TestCell test(162);
     test.shake(5, k_noise);
     std::vector<Vec3> F = test.force_nN(*term);

@@ -6,7 +6,6 @@
 #include "engine/forces/fold_stop.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/forces/strain_limiter.hpp"
-
 #include "tests/forces/test_cell.hpp"
 
 #include <gtest/gtest.h>
@@ -25,8 +24,8 @@ TEST(Cytosol, PressureIsOffsetPlusExtraMinusVolumeStrainMinusItsIntegral) {
                                        .extra_pressure_kPa = 0.03,
                                        .gamma_nN_per_um = 0.5});
     TestCell test(162);  // V* is 1 % above the volume of the rest shape
-    const double offset = 2.0 * 0.5 / 3.0 * (81.0 * test.model.unit_area) /
-                          test.model.rest_volume_um3(k_cell);
+    const double offset =
+        2.0 * 0.5 / 3.0 * (81.0 * test.model.unit_area) / test.model.rest_volume_um3(k_cell);
     const double eps = 1.0 / 1.01 - 1.0;
     EXPECT_NEAR(cytosol.volume_strain(test.at(), k_cell), eps, 1e-13);
     EXPECT_NEAR(cytosol.offset_kPa(test.model, k_cell), offset, 1e-13);

@@ -1,6 +1,5 @@
 #include "engine/forces/bending.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
-
 #include "engine/model/model.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #include "engine/forces/cell_stiffness.hpp"
 #include "engine/forces/fold_stop.hpp"
 #include "engine/forces/strain_limiter.hpp"
-
 #include "tests/forces/test_cell.hpp"
 
 #include <gtest/gtest.h>
@@ -71,8 +70,8 @@ TEST(StrainLimiter, StiffnessOfUniformStretchIsTheClosedFormOfItsPositiveParts) 
         const double y = 0.5 * (s * s + 1.0 / (s * s)) - 1.0 - psi0;
         const double first = 1.0 - psi0 * psi0 / ((y + psi0) * (y + psi0));
         const double second = 2.0 * psi0 * psi0 / std::pow(y + psi0, 3);
-        const double per_area = second * psi_slope * psi_slope +
-                                first * (1.0 + std::pow(s, -4)) + first * 12.0 * std::pow(s, -4);
+        const double per_area = second * psi_slope * psi_slope + first * (1.0 + std::pow(s, -4)) +
+                                first * 12.0 * std::pow(s, -4);
         const double expected = kappa * 81.0 * test.model.unit_area * per_area;
         EXPECT_NEAR(quadratic, expected, 1e-11 * expected);
     }
@@ -107,9 +106,9 @@ TEST(FoldStop, IsExactlySilentBelowTheFoldAngleAndActsAboveIt) {
         for (std::size_t n = 0; n < test.model.topology->edges.size(); ++n) {
             const MeshTopology::Edge& e = test.model.topology->edges[n];
             const auto x = [&](int node) { return test.x()[static_cast<std::size_t>(node)]; };
-            largest_turn = std::max(largest_turn,
-                                    std::abs(hinge_angle(x(e.i), x(e.j), x(e.a), x(e.b)) -
-                                             test.model.rest_hinge_angle_rad[n]));
+            largest_turn =
+                std::max(largest_turn, std::abs(hinge_angle(x(e.i), x(e.j), x(e.a), x(e.b)) -
+                                                test.model.rest_hinge_angle_rad[n]));
         }
         if (largest_turn < fold_angle) {
             ++n_silent;

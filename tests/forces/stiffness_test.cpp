@@ -1,7 +1,6 @@
 #include "engine/forces/active_tension.hpp"
 #include "engine/forces/cell_stiffness.hpp"
 #include "engine/forces/terms.hpp"
-
 #include "tests/forces/test_cell.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -119,8 +118,8 @@ TEST(StiffnessOfTheWall, IsTheSlopeOfTheForceAlongTheRadius) {
         const double before = test.force_nN(*wall)[i].dot(node.direction);
         const double h_um = 1e-3;  // the law is linear along the radius
         test.x()[i] = start + h_um * node.direction;
-        EXPECT_NEAR((before - test.force_nN(*wall)[i].dot(node.direction)) / h_um,
-                    node.coefficient, 1e-9 * node.coefficient);
+        EXPECT_NEAR((before - test.force_nN(*wall)[i].dot(node.direction)) / h_um, node.coefficient,
+                    1e-9 * node.coefficient);
         test.x()[i] = start;
     }
 }

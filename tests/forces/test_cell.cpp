@@ -64,8 +64,8 @@ std::vector<std::unique_ptr<ForceTerm>> make_all_terms() {
     std::vector<std::unique_ptr<ForceTerm>> terms;
     terms.push_back(std::make_unique<InPlaneElasticity>(
         Loc{}, InPlaneElasticityParameters{.E_kPa = 20.0, .thickness_um = 0.2}));
-    terms.push_back(std::make_unique<Bending>(
-        Loc{}, BendingParameters{.E_kPa = 20.0, .thickness_um = 0.2}));
+    terms.push_back(
+        std::make_unique<Bending>(Loc{}, BendingParameters{.E_kPa = 20.0, .thickness_um = 0.2}));
     terms.push_back(std::make_unique<ActiveTension>(Loc{}, ActiveTensionParameters{0.5}));
     terms.push_back(std::make_unique<CytosolPressure>(
         Loc{}, CytosolPressureParameters{.K_kPa = 5.0,
@@ -73,8 +73,7 @@ std::vector<std::unique_ptr<ForceTerm>> make_all_terms() {
                                          .T_d_s = 0.1,
                                          .extra_pressure_kPa = 0.03,
                                          .gamma_nN_per_um = 0.5}));
-    terms.push_back(
-        std::make_unique<StrainLimiter>(Loc{}, StrainLimiterParameters{0.25, 0.02}));
+    terms.push_back(std::make_unique<StrainLimiter>(Loc{}, StrainLimiterParameters{0.25, 0.02}));
     terms.push_back(std::make_unique<FoldStop>(Loc{}, FoldStopParameters{0.25, 0.3}));
     terms.push_back(std::make_unique<CompactionWall>(Loc{}, CompactionWallParameters{50.0}));
     terms.push_back(

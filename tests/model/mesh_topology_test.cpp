@@ -51,8 +51,8 @@ TEST(ClosedTopology, AnOpenSurfaceIsRefused) {
 TEST(ClosedTopology, MixedWindingIsRefused) {
     auto triangles = make_icosphere(42)->triangles;
     std::swap(triangles[5][0], triangles[5][1]);
-    EXPECT_THROW(
-        static_cast<void>(make_closed_topology(triangles, make_icosphere(42)->unit_shape)), Error);
+    EXPECT_THROW(static_cast<void>(make_closed_topology(triangles, make_icosphere(42)->unit_shape)),
+                 Error);
 }
 
 }  // namespace

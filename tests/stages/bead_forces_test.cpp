@@ -128,11 +128,10 @@ TEST_P(BeadForcesIn, ContactsAreThePairsThatPush) {
     EXPECT_NEAR(pair_energy, expected, 1e-10);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Boxes, BeadForcesIn,
-    testing::Values(Case{"Sphere", {BeadBoundary::sphere, 4.7}},
-                    Case{"Periodic", {BeadBoundary::periodic, 7.5}}),
-    [](const auto& instance) { return std::string(instance.param.name); });
+INSTANTIATE_TEST_SUITE_P(Boxes, BeadForcesIn,
+                         testing::Values(Case{"Sphere", {BeadBoundary::sphere, 4.7}},
+                                         Case{"Periodic", {BeadBoundary::periodic, 7.5}}),
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(PeriodicBeads, PushEachOtherWithoutNetForce) {
     const BeadBox box{BeadBoundary::periodic, 7.5};

@@ -95,9 +95,9 @@ JammingRun decompress_to_jamming(const std::vector<double>& radius, double first
         // Overlaps are proportional to the distance from jamming.
         const SettledBeads& a = run.settled[run.settled.size() - 2];
         const SettledBeads& b = run.settled.back();
-        run.jamming_fraction = b.packing_fraction -
-                               b.overlap_per_bead * (a.packing_fraction - b.packing_fraction) /
-                                   (a.overlap_per_bead - b.overlap_per_bead);
+        run.jamming_fraction = b.packing_fraction - b.overlap_per_bead *
+                                                        (a.packing_fraction - b.packing_fraction) /
+                                                        (a.overlap_per_bead - b.overlap_per_bead);
         const double above = b.packing_fraction - run.jamming_fraction;
         if (above <= nearest) return run;
         // A third of the way each time: the estimate improves before it could be overshot.

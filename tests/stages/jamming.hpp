@@ -19,8 +19,8 @@ struct SettledBeads {
 /// Beads quenched from a random start far above jamming, then decompressed without noise, as O'Hern
 /// et al. 2003, Phys. Rev. E 68, 011306, do: the jamming point is where the overlaps vanish.
 struct JammingRun {
-    std::vector<SettledBeads> settled;       ///< falling towards the jamming point
-    double jamming_fraction;                 ///< extrapolated from the last two
+    std::vector<SettledBeads> settled;  ///< falling towards the jamming point
+    double jamming_fraction;            ///< extrapolated from the last two
 };
 
 /// radius [n]: only ratios matter. Stops at a distance of `nearest` above the jamming fraction.
