@@ -32,7 +32,10 @@ nlohmann::json totals_json(const Totals& totals) {
 nlohmann::json work_json(const Work& work) {
     nlohmann::json terms = nlohmann::json::object();
     for (const Work::TermCount& count : work.terms) terms[count.term] = count.evaluations;
+    nlohmann::json fields = nlohmann::json::object();
+    for (const Work::TermCount& count : work.fields) fields[count.term] = count.evaluations;
     return {{"terms", terms},
+            {"fields", fields},
             {"steps", work.steps},
             {"rejected_steps", work.rejected_steps},
             {"force_evaluations", work.force_evaluations},

@@ -67,6 +67,8 @@ Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
     // Measures look at normals and volumes even where no force needs them.
     system_ = std::make_unique<System>(std::move(model), build_parts(scene), options.threads,
                                        Need::triangles | Need::volumes);
+    for (const Field& field : all_fields())
+        system_->counters().fields.push_back({std::string(field.name), 0});
 }
 
 Engine::~Engine() = default;
@@ -281,7 +283,7 @@ Engine::Next Engine::publish(const Totals& totals, double progress) {
     const scene::Stage& stage = scene_.stages[idx(run_.stage)];
     const Configuration at = system_->configuration();
     auto snapshot = std::make_shared<Snapshot>(
-        make_snapshot(header_, measure_input(at), run_.diagnostics, totals));
+        make_snapshot(header_, measure_input(at), run_.diagnostics, totals, system_->counters()));
     snapshot->frame = run_.frames++;
     snapshot->time_s = run_.state.time_s;
     snapshot->stage = run_.stage;

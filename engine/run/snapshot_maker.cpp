@@ -24,7 +24,7 @@ std::size_t size_of(const Field& field, const Model& model) {
 }  // namespace
 
 Snapshot make_snapshot(std::shared_ptr<const RunHeader> header, const MeasureInput& input,
-                       const Diagnostics& diagnostics, const Totals& totals) {
+                       const Diagnostics& diagnostics, const Totals& totals, Work& work) {
     const Configuration& at = input.at;
     Snapshot snapshot;
     snapshot.x_um.reserve(3 * at.x_um.size());
@@ -35,6 +35,8 @@ Snapshot make_snapshot(std::shared_ptr<const RunHeader> header, const MeasureInp
     for (const Field* field : header->fields) {
         std::vector<float>& values = snapshot.fields.emplace_back(size_of(*field, at.model));
         field->compute(input, values);
+        for (Work::TermCount& count : work.fields)
+            if (count.term == field->name) ++count.evaluations;
     }
     for (const Vec3& centre : at.geometry.centre_um) append(snapshot.centre_um, centre);
     for (const double volume : at.geometry.volume_um3)

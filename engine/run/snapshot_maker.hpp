@@ -2,13 +2,15 @@
 
 #include "engine/measures/measure_input.hpp"
 #include "engine/run/snapshot.hpp"
+#include "engine/solve/work.hpp"
 
 namespace spheroscope {
 
 /// A frame of the configuration that `input` looks at: positions, node normals, the header's
-/// fields, cells and links. Number, time and stage are left to the caller.
+/// fields, cells and links. Number, time and stage are left to the
+/// caller. Every field that is evaluated is counted in work.fields.
 [[nodiscard]] Snapshot make_snapshot(std::shared_ptr<const RunHeader> header,
                                      const MeasureInput& input, const Diagnostics& diagnostics,
-                                     const Totals& totals);
+                                     const Totals& totals, Work& work);
 
 }  // namespace spheroscope

@@ -14,6 +14,7 @@ struct Work {
         std::int64_t evaluations = 0;  ///< of the whole system's force
     };
     std::vector<TermCount> terms;
+    std::vector<TermCount> fields;  ///< all rows of the table of fields, whole aggregates
     std::int64_t force_evaluations = 0;
     std::int64_t stiffness_evaluations = 0;
     std::int64_t contact_searches = 0;
@@ -28,10 +29,11 @@ struct Work {
     std::int64_t steps = 0;
     std::int64_t rejected_steps = 0;
 
-    /// Evaluations of a term by its scene name; 0 if it is not part of the run.
-    [[nodiscard]] std::int64_t evaluations(const std::string& term) const {
-        for (const TermCount& count : terms)
-            if (count.term == term) return count.evaluations;
+    /// Evaluations of a term or a field by its name; 0 if it is not part of the run.
+    [[nodiscard]] std::int64_t evaluations(const std::string& name) const {
+        for (const std::vector<TermCount>* counts : {&terms, &fields})
+            for (const TermCount& count : *counts)
+                if (count.term == name) return count.evaluations;
         return 0;
     }
 };
