@@ -57,6 +57,13 @@ TEST_F(FrictionMatrix, IsTheSumOfItsDefinitions) {
     EXPECT_LE(largest(gamma - twin), 1e-12 * largest(twin));
 }
 
+TEST_F(FrictionMatrix, HasTheDerivativePartOfTheVolumeControllerAsAFriction) {
+    ASSERT_EQ(system.volume_friction().size(), 2U);
+    for (std::size_t c = 0; c < 2; ++c)
+        EXPECT_NEAR(system.volume_friction()[c],
+                    *values().K_kPa * values().T_d_s / cells.model.target_volume_um3[c], 1e-15);
+}
+
 TEST_F(FrictionMatrix, IsSymmetricAndPositiveDefinite) {
     const MatrixXd gamma = product();
     EXPECT_LE(largest(gamma - gamma.transpose()), 1e-12 * largest(gamma));

@@ -1,5 +1,7 @@
 #include "tests/reference/dense_system.hpp"
 
+#include <stdexcept>
+
 namespace spheroscope::reference {
 namespace {
 
@@ -142,6 +144,8 @@ MatrixXd dense_cell_stiffness(const Model& model, std::span<const CellStiffness>
 
 MatrixXd dense_volume(const Model& model, std::span<const double> coefficient,
                       std::span<const Vec3> volume_gradient) {
+    if (coefficient.size() != model.radius_um.size())
+        throw std::invalid_argument("the volume part wants one coefficient per cell");
     Blocks blocks(model);
     for (int cell = 0; cell < model.n_cells(); ++cell) {
         std::vector<int> nodes;
