@@ -189,6 +189,7 @@ Engine::Next Engine::advance(const scene::Stage& parameters) {
         d.force_residual_nN = step.force_rms_nN;
         d.force_balance_nN = step.force_sum_nN;
         d.step_error_um = step.error_um;
+        run_.dissipation_nN_um_per_s = step.dissipation_nN_um_per_s;
         run_.dissipated_fJ += step.dt_s * step.dissipation_nN_um_per_s;
         run_.driven_fJ += step.dt_s * step.drive_power_nN_um_per_s;
         end = stage->after_step(context);
@@ -263,6 +264,7 @@ Totals Engine::measure() {
     }
     const double energy_fJ = system_->energy_fJ();
     totals.energy_fJ = energy_fJ;
+    if (run_.diagnostics.steps > 0) totals.dissipation_nN_um_per_s = run_.dissipation_nN_um_per_s;
     if (run_.has_energy && run_.dissipated_fJ > 0.0)
         totals.power_residual =
             (energy_fJ - run_.energy_fJ + run_.dissipated_fJ - run_.driven_fJ) / run_.dissipated_fJ;

@@ -44,7 +44,8 @@ CheckpointData save(const RunState& run) {
     f["state"] = {s.time_s, s.next_dt_s, s.wall.radius_um, s.wall.speed_um_per_s, s.wall.time_s};
     f["stage_memory"] = {run.memory.start_s, run.memory.touching_wall_um};
     f["stage_samples"] = run.memory.samples;
-    f["power_balance"] = {run.energy_fJ, run.dissipated_fJ, run.driven_fJ};
+    f["power_balance"] = {run.energy_fJ, run.dissipated_fJ, run.driven_fJ,
+                          run.dissipation_nN_um_per_s};
     const Diagnostics& d = run.diagnostics;
     f["diagnostics"] = {d.dt_s,          d.force_residual_nN, d.force_balance_nN,
                         d.step_error_um, d.wall_radius_um,    d.wall_force_nN};
@@ -83,10 +84,11 @@ RunState load_run_state(const CheckpointData& data) {
     run.memory.start_s = memory[0];
     run.memory.touching_wall_um = memory[1];
     run.memory.samples = find(f, "stage_samples", 0);
-    const auto& power = find(f, "power_balance", 3);
+    const auto& power = find(f, "power_balance", 4);
     run.energy_fJ = power[0];
     run.dissipated_fJ = power[1];
     run.driven_fJ = power[2];
+    run.dissipation_nN_um_per_s = power[3];
     Diagnostics& d = run.diagnostics;
     const auto& diagnostics = find(f, "diagnostics", 6);
     d.dt_s = diagnostics[0];

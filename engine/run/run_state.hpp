@@ -22,6 +22,7 @@ struct RunState {
     int frames = 0;          ///< published since the start of the run
     BeadPackingState beads;  ///< while an anneal stage runs
     // Power balance since the last measurement.
+    double dissipation_nN_um_per_s = 0.0;  ///< v . Gamma v of the last step
     bool has_energy = false;
     double energy_fJ = 0.0;      ///< at the last measurement
     double dissipated_fJ = 0.0;  ///< integral of v . Gamma v since then
