@@ -2,6 +2,7 @@
 #include "render/movie.hpp"
 #include "render/picture.hpp"
 #include "render/png.hpp"
+#include "render/provenance.hpp"
 #include "render/verb_pictures.hpp"
 #include "render/verbs.hpp"
 
@@ -53,11 +54,7 @@ ExitCode render_stills(const RenderArguments& arguments) {
         view.time_decimals = survey.time_decimals;
         const fs::path path = folder / fmt::format("{}_{:06d}.png", picture.name, frame);
         render::write_png(path, renderer.render(*snapshot, view),
-                          {{"scene", reader.header()->resolved_scene},
-                           {"seed", std::to_string(reader.header()->seed)},
-                           {"frame", std::to_string(frame)},
-                           {"time_s", fmt::format("{}", snapshot->time_s)},
-                           {"version", cli::version_text()}});
+                          render::make_provenance(*snapshot, picture, view, cli::version_text()));
         fmt::print("{}\n", path.string());
     }
     return ExitCode::ok;
