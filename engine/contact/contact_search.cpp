@@ -169,25 +169,20 @@ void ContactSearch::find(const Model& model, std::span<const Vec3> x_um, const G
     contacts.clear(model.n_cells());
     thread_local std::vector<int> source;  // of each kept group
     source.clear();
-    int n_pairs = 0;
+    std::int64_t n_pairs = 0;
     for (std::size_t g = 0; g < n_groups_; ++g) {
         const CandidateGroup& group = groups_[g];
         counts_.candidates += static_cast<std::int64_t>(group.candidates.size());
         counts_.too_deep += group.too_deep;
         if (group.active.empty()) continue;
-        const int n = static_cast<int>(group.active.size());
-        contacts.groups.push_back({group.cell_a, group.cell_b, n_pairs, n_pairs + n});
+        contacts.groups.push_back({group.cell_a, group.cell_b, {}});
         source.push_back(static_cast<int>(g));
-        n_pairs += n;
+        n_pairs += static_cast<std::int64_t>(group.active.size());
     }
     counts_.active_pairs += n_pairs;
-    contacts.pairs.resize(idx(n_pairs));
     const std::vector<int>& from = source;
-    workers.loop(static_cast<int>(contacts.groups.size()), [&](int g) {
-        const std::vector<ContactPair>& active = groups_[idx(from[idx(g)])].active;
-        std::copy(active.begin(), active.end(),
-                  contacts.pairs.begin() + contacts.groups[idx(g)].begin);
-    });
+    workers.loop(static_cast<int>(contacts.groups.size()),
+                 [&](int g) { contacts.groups[idx(g)].pairs = groups_[idx(from[idx(g)])].active; });
     contacts.index_sides(model.n_cells());
 }
 

@@ -14,17 +14,18 @@ namespace spheroscope {
 /// index.
 struct ContactPair {
     int triangle_a, triangle_b;  ///< local to their cells
-    Vec3 normal;                 ///< n, from B to A
-    Vec3 centroid_um;            ///< of the clip polygon, in the contact plane
-    double area_um2;             ///< S_AB of the clip polygon
-    double force_nN;             ///< integral of P: > 0 pushes A along +n, B along -n
-    double energy_fJ;            ///< integral of e(delta)
-    double overlap_um;           ///< mean delta over the polygon
-    double largest_overlap_um;
-    std::array<double, 3> lambda;      ///< barycentric coordinates of the centroid in A^p
+    float overlap_um;            ///< mean delta over the polygon
+    float largest_overlap_um;
+    Vec3 normal;                       ///< n, from B to A
+    double area_um2;                   ///< S_AB of the clip polygon
+    double energy_fJ;                  ///< integral of e(delta)
+    std::array<double, 3> lambda;      ///< barycentric coordinates of the polygon's centroid in A^p
     std::array<double, 3> mu;          ///< and in B^p
-    std::array<double, 3> force_a_nN;  ///< f_i: node i of A feels + f_i n; sums to force_nN
-    std::array<double, 3> force_b_nN;  ///< g_k: node k of B feels - g_k n
+    std::array<double, 3> force_a_nN;  ///< f_i: node i of A feels + f_i n
+    std::array<double, 3> force_b_nN;  ///< g_k: node k of B feels - g_k n; the same sum
+
+    /// Integral of P: > 0 pushes A along +n, B along -n.
+    [[nodiscard]] double force_nN() const { return force_a_nN[0] + force_a_nN[1] + force_a_nN[2]; }
 };
 
 /// All active pairs of one configuration, grouped by pair of cells. Groups ascend by (cell_a,
@@ -32,21 +33,24 @@ struct ContactPair {
 /// neither do sums.
 struct Contacts {
     struct Group {
-        int cell_a, cell_b;
-        int begin, end;  ///< into `pairs`
+        int cell_a = 0, cell_b = 0;
+        std::vector<ContactPair> pairs;
     };
     struct Side {
         int group;
         bool is_a;  ///< the cell is cell_a of the group
     };
-    std::vector<ContactPair> pairs;
     std::vector<Group> groups;     ///< only groups that have a pair
     std::vector<int> cell_begin;   ///< [n_cells + 1] into `cell_sides`
     std::vector<Side> cell_sides;  ///< the groups of each cell, ascending
 
-    [[nodiscard]] std::span<const ContactPair> pairs_of(const Group& group) const {
-        return std::span(pairs).subspan(static_cast<std::size_t>(group.begin),
-                                        static_cast<std::size_t>(group.end - group.begin));
+    [[nodiscard]] static std::span<const ContactPair> pairs_of(const Group& group) {
+        return group.pairs;
+    }
+    [[nodiscard]] std::size_t n_pairs() const {
+        std::size_t n = 0;
+        for (const Group& group : groups) n += group.pairs.size();
+        return n;
     }
     [[nodiscard]] std::span<const Side> sides_of(int cell) const {
         const auto begin = static_cast<std::size_t>(cell_begin[static_cast<std::size_t>(cell)]);
@@ -56,7 +60,6 @@ struct Contacts {
     /// Fills cell_begin and cell_sides from `groups`.
     void index_sides(int n_cells);
     void clear(int n_cells) {
-        pairs.clear();
         groups.clear();
         cell_sides.clear();
         cell_begin.assign(static_cast<std::size_t>(n_cells) + 1, 0);

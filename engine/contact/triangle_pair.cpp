@@ -146,8 +146,8 @@ PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeomet
 
     const Moments s = moments_of(polygon);
     if (s.s < k_smallest_polygon_um2) return PairOutcome::apart;
-    pair.overlap_um = d0 + (dx * s.sx + dy * s.sy) / s.s;
-    if (pair.overlap_um > law.largest_overlap_um) return PairOutcome::too_deep;
+    const double overlap_um = d0 + (dx * s.sx + dy * s.sy) / s.s;
+    if (overlap_um > law.largest_overlap_um) return PairOutcome::too_deep;
 
     // P = p0 + px x + py y, its resultant and first moment.
     const double p0 = law.k_kPa_per_um * d0 - law.P0_kPa;
@@ -164,15 +164,14 @@ PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeomet
     }
     const double overlap2 = d0 * d0 * s.s + 2.0 * d0 * (dx * s.sx + dy * s.sy) + dx * dx * s.sxx +
                             2.0 * dx * dy * s.sxy + dy * dy * s.syy;
-    pair.energy_fJ = 0.5 * law.k_kPa_per_um * overlap2 - law.P0_kPa * pair.overlap_um * s.s;
-    pair.largest_overlap_um = pair.overlap_um;
+    pair.energy_fJ = 0.5 * law.k_kPa_per_um * overlap2 - law.P0_kPa * overlap_um * s.s;
+    double largest_um = overlap_um;
     for (std::size_t i = 0; i < polygon.n; ++i)
-        pair.largest_overlap_um = std::max(pair.largest_overlap_um, overlap_at(polygon.corner[i]));
-    pair.force_nN = force;
+        largest_um = std::max(largest_um, overlap_at(polygon.corner[i]));
+    pair.overlap_um = static_cast<float>(overlap_um);
+    pair.largest_overlap_um = static_cast<float>(largest_um);
     pair.area_um2 = s.s;
     pair.normal = n;
-    const double plane = (o_b - o_a) / (2.0 * c);  // n.x of the contact plane
-    pair.centroid_um = origin + (s.sx / s.s) * e1 + (s.sy / s.s) * e2 + plane * n;
     return PairOutcome::active;
 }
 

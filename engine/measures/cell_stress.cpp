@@ -5,6 +5,14 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
+/// Where a pair's own virial is taken from. Its forces sum to zero, so any point does; one at the
+/// pair keeps the digits.
+const Vec3& origin_of_pair(const Configuration& at, const Contacts::Group& group,
+                           const ContactPair& pair) {
+    const int node = at.model.topology->triangles[idx(pair.triangle_a)][0];
+    return at.model.cell_nodes(at.x_um, group.cell_a)[idx(node)];
+}
+
 /// Calls f(cell, node, position relative to `origin`, force) for the six nodes of a pair.
 template <class F> void for_nodes_of_pair(const Configuration& at, const Contacts::Group& group,
                                           const ContactPair& pair, const F& f) {
@@ -26,10 +34,11 @@ std::vector<Mat3> cell_stress_tensors(const Configuration& at) {
     std::vector<Mat3> stress(at.model.radius_um.size(), Mat3::Zero());
     for (const Contacts::Group& group : at.contacts.groups)
         for (const ContactPair& pair : at.contacts.pairs_of(group)) {
+            const Vec3& origin = origin_of_pair(at, group, pair);
             Mat3 pair_virial = Mat3::Zero();
             for_nodes_of_pair(at, group, pair, [&](int cell, const Vec3& x, const Vec3& F) {
                 stress[idx(cell)] += F * (x - at.geometry.centre_um[idx(cell)]).transpose();
-                pair_virial -= F * (x - pair.centroid_um).transpose();
+                pair_virial -= F * (x - origin).transpose();
             });
             stress[idx(group.cell_a)] += 0.5 * pair_virial;
             stress[idx(group.cell_b)] += 0.5 * pair_virial;
@@ -52,10 +61,11 @@ std::vector<double> hydrostatic_stress_from_inside(const Configuration& at,
     }
     for (const Contacts::Group& group : at.contacts.groups)
         for (const ContactPair& pair : at.contacts.pairs_of(group)) {
+            const Vec3& origin = origin_of_pair(at, group, pair);
             double pair_virial = 0.0;
             for_nodes_of_pair(at, group, pair, [&](int cell, const Vec3& x, const Vec3& F) {
                 virial[idx(cell)] += F.dot(x - at.geometry.centre_um[idx(cell)]);
-                pair_virial -= F.dot(x - pair.centroid_um);
+                pair_virial -= F.dot(x - origin);
             });
             virial[idx(group.cell_a)] += 0.5 * pair_virial;
             virial[idx(group.cell_b)] += 0.5 * pair_virial;

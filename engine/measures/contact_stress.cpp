@@ -26,7 +26,7 @@ std::vector<Traction> tractions_of(const MeasureInput& input, int cell) {
         const auto& group = input.at.contacts.groups[static_cast<std::size_t>(side.group)];
         for (const ContactPair& pair : input.at.contacts.pairs_of(group)) {
             const auto t = static_cast<std::size_t>(side.is_a ? pair.triangle_a : pair.triangle_b);
-            force[t] += (side.is_a ? pair.force_nN : -pair.force_nN) * pair.normal;
+            force[t] += (side.is_a ? pair.force_nN() : -pair.force_nN()) * pair.normal;
             touched[t] = 1;
         }
     }

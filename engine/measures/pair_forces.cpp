@@ -9,7 +9,7 @@ std::vector<PairForce> pair_forces(const Configuration& at) {
         Vec3 on_a = Vec3::Zero();
         double area_um2 = 0.0;
         for (const ContactPair& pair : at.contacts.pairs_of(group)) {
-            on_a += pair.force_nN * pair.normal;
+            on_a += pair.force_nN() * pair.normal;
             area_um2 += pair.area_um2;
         }
         const Vec3 direction = (at.geometry.centre_um[static_cast<std::size_t>(group.cell_a)] -

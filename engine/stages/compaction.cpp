@@ -19,7 +19,8 @@ double total_volume_um3(const System& system) {
 
 double contact_fraction(const System& system) {
     double contact_um2 = 0.0, surface_um2 = 0.0;
-    for (const ContactPair& pair : system.contacts().pairs) contact_um2 += pair.area_um2;
+    for (const Contacts::Group& group : system.contacts().groups)
+        for (const ContactPair& pair : group.pairs) contact_um2 += pair.area_um2;
     for (const double area_um2 : system.geometry().area_um2) surface_um2 += area_um2;
     return 2.0 * contact_um2 / surface_um2;
 }

@@ -55,7 +55,7 @@ TrianglePair facing_at(double gap_um, double tilt_rad = 0.0) {
 double pushing_force_nN(const TrianglePair& t, const ContactLaw& law) {
     ContactPair pair;
     const PairOutcome outcome = contact_of_triangles(triangle_of(t.a), triangle_of(t.b), law, pair);
-    return outcome == PairOutcome::active ? pair.force_nN : 0.0;
+    return outcome == PairOutcome::active ? pair.force_nN() : 0.0;
 }
 
 class PairForce : public testing::TestWithParam<double> {

@@ -53,7 +53,7 @@ Sum contact_of_patches(double gap_um, double angle_rad, const ContactLaw& law) {
             ContactPair pair;
             if (contact_of_triangles(a, b, law, pair) != PairOutcome::active) continue;
             area_um2 += pair.area_um2;
-            sum.force_nN += pair.force_nN * pair.normal.z();
+            sum.force_nN += pair.force_nN() * pair.normal.z();
         }
         sum.area_um2 += area_um2;
         sum.area_of_upper_um2.push_back(area_um2);

@@ -72,7 +72,7 @@ TEST(MonteCarlo, FindsTheAreaForceAndNodalForcesOfTheKernelWithinThreeStandardEr
             EXPECT_LE(error, 4.5 * sample.standard_error(n_points)) << "pair " << index;
         };
         compare(area, pair.area_um2);
-        compare(force, pair.force_nN);
+        compare(force, pair.force_nN());
         for (std::size_t k = 0; k < 3; ++k) compare(nodal[k], pair.force_a_nN[k]);
     }
     // 0.27 % of normal numbers lie beyond three standard errors; the five of a pair go together.

@@ -31,7 +31,8 @@ double mean_force_nN(int n_nodes, double overlap_um, const ContactLaw& law, int 
         Contacts contacts;
         search.find(spheres.model, spheres.x_um,
                     geometry_of(spheres.model, spheres.x_um, Need::triangles), workers, contacts);
-        for (const ContactPair& pair : contacts.pairs) sum_nN -= pair.force_nN * pair.normal.z();
+        for (const Contacts::Group& group : contacts.groups)
+            for (const ContactPair& pair : group.pairs) sum_nN -= pair.force_nN() * pair.normal.z();
     }
     return sum_nN / n_seeds;
 }

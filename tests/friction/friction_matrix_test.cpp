@@ -35,7 +35,7 @@ class FrictionMatrix : public testing::Test {
     FrictionMatrix() : system(cells.model, make_parts(values()), 1) {
         const std::vector<double> integral(2, 0.0);
         EXPECT_FALSE(system.evaluate(cells.x_um, integral, 0.0, System::Detail::forces));
-        EXPECT_GT(system.contacts().pairs.size(), 5U);
+        EXPECT_GT(system.contacts().n_pairs(), 5U);
     }
     MatrixXd product() {
         return reference::dense_product(system.velocity_system(0.0, system.volume_friction()),
@@ -107,7 +107,7 @@ TEST_F(FrictionMatrix, DissipatesContactFrictionByTheRelativeVelocityOfTheCells)
     const std::vector<double> drag = node_drags(cells.model, 0.05);
     double power = 0.0, expected = 0.0;
     for (std::size_t i = 0; i < u.size(); ++i) power += u[i].dot(out[i] - drag[i] * u[i]);
-    for (const ContactPair& pair : system.contacts().pairs) {
+    for (const ContactPair& pair : system.contacts().groups.at(0).pairs) {
         const Vec3 relative = 2.0 * v_um_per_s;
         const double across = pair.normal.dot(relative);
         expected += pair.area_um2 * (contact_friction.normal_kPa_s_per_um * across * across +

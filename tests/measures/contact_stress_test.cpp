@@ -38,8 +38,7 @@ struct FlatFaces {
         ContactPair pair;
         if (contact_of_triangles(lower, upper, law, pair) != PairOutcome::active) return;
         pair.triangle_a = pair.triangle_b = static_cast<int>(triangle);
-        contacts.pairs.push_back(pair);
-        contacts.groups.push_back({0, 1, 0, 1});
+        contacts.groups.push_back({0, 1, {pair}});
         contacts.index_sides(2);
     }
     [[nodiscard]] Configuration at() const {
@@ -65,7 +64,7 @@ TEST(ContactStress, OfTwoFlatFacesIsMinusThePressureOfTheLaw) {
     const ContactLaw law = adhesive_law(0.5, 0.3, 2.0, 0.0);
     for (const double gap_um : {-0.2, 0.0, 0.3, 0.55}) {
         const FlatFaces faces(gap_um, law);
-        ASSERT_EQ(faces.contacts.pairs.size(), 1U) << gap_um;
+        ASSERT_EQ(faces.contacts.n_pairs(), 1U) << gap_um;
         const Configuration at = faces.at();
         std::vector<float> sigma_nn(2 * k_n_triangles), shear(2 * k_n_triangles);
         compute_sigma_nn(bare_input(at), sigma_nn);

@@ -20,20 +20,11 @@ void MadeUpContacts::set(const std::vector<Push>& pushes) {
         pair.area_um2 = push.area_um2;
         pair.force_a_nN = push.force_a_nN;
         pair.force_b_nN = push.force_b_nN;
-        pair.force_nN = push.force_a_nN[0] + push.force_a_nN[1] + push.force_a_nN[2];
-        const auto centroid = [&](int cell, int triangle) {
-            return model.cell_triangles(std::span<const Vec3>(geometry.centroid_um),
-                                        cell)[static_cast<std::size_t>(triangle)];
-        };
-        pair.centroid_um =
-            0.5 * (centroid(push.cell_a, push.triangle_a) + centroid(push.cell_b, push.triangle_b));
-        const int n = static_cast<int>(contacts.pairs.size());
         const bool is_new_group = contacts.groups.empty() ||
                                   contacts.groups.back().cell_a != push.cell_a ||
                                   contacts.groups.back().cell_b != push.cell_b;
-        if (is_new_group) contacts.groups.push_back({push.cell_a, push.cell_b, n, n});
-        contacts.pairs.push_back(pair);
-        contacts.groups.back().end = n + 1;
+        if (is_new_group) contacts.groups.push_back({push.cell_a, push.cell_b, {}});
+        contacts.groups.back().pairs.push_back(pair);
     }
     contacts.index_sides(model.n_cells());
     stress_kPa = cell_stress_tensors(at());

@@ -24,7 +24,7 @@ Contacts contacts_of_all_pairs(const Model& model, std::span<const Vec3> x_um,
     const int n_triangles = model.topology->n_triangles();
     for (int a = 0; a < model.n_cells(); ++a)
         for (int b = a + 1; b < model.n_cells(); ++b) {
-            const int begin = static_cast<int>(contacts.pairs.size());
+            Contacts::Group group{a, b, {}};
             for (int s = 0; s < n_triangles; ++s) {
                 const TriangleGeometry of_a = triangle_of(model, x_um, geometry, a, s);
                 for (int t = 0; t < n_triangles; ++t) {
@@ -34,11 +34,10 @@ Contacts contacts_of_all_pairs(const Model& model, std::span<const Vec3> x_um,
                         continue;
                     pair.triangle_a = s;
                     pair.triangle_b = t;
-                    contacts.pairs.push_back(pair);
+                    group.pairs.push_back(pair);
                 }
             }
-            const int end = static_cast<int>(contacts.pairs.size());
-            if (end > begin) contacts.groups.push_back({a, b, begin, end});
+            if (!group.pairs.empty()) contacts.groups.push_back(std::move(group));
         }
     contacts.index_sides(model.n_cells());
     return contacts;
