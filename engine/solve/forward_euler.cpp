@@ -46,6 +46,7 @@ StepOutcome ForwardEuler::advance(System& system, State& state, double limit_s,
         return outcome;
     }
     outcome.largest_displacement_um = outcome.dt_s * largest_speed_um_per_s(v_);
+    outcome.error_um = change_of_velocity_error_um(model, state, v_, outcome.dt_s);
     // A node that moves half an edge in one step has left its neighbourhood: the step is too large
     // for the stiffest mode. Going on would bounce the cells apart with finite numbers.
     for (int cell = 0; cell < model.n_cells(); ++cell) {
@@ -68,14 +69,7 @@ StepOutcome ForwardEuler::advance(System& system, State& state, double limit_s,
             state.volume_integral_s[idx(cell)] +=
                 outcome.dt_s * system.parts().cytosol->volume_strain(at, cell);
     }
-    for (std::size_t i = 0; i < v_.size(); ++i) state.x_um[i] += outcome.dt_s * v_[i];
-    std::swap(state.v_um_per_s, v_);
-    state.has_velocity = true;
-    if (state.wall.acts()) {
-        state.wall.radius_um = state.wall.radius_at(end_s);
-        state.wall.time_s = end_s;
-    }
-    state.time_s = end_s;
+    finish_step(state, v_, end_s);
     outcome.accepted = true;
     return outcome;
 }

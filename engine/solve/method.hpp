@@ -13,7 +13,9 @@ namespace spheroscope {
 struct [[nodiscard]] StepOutcome {
     bool accepted = false;
     double dt_s = 0.0;
-    double error_um = 0.0;  ///< estimate of the local error; 0 if the method has none
+    /// Estimate of the local error: RMS over the nodes of a cell, the largest cell. 0 in the first
+    /// step after a start or a change of stage, where a method has nothing yet to compare with.
+    double error_um = 0.0;
     double largest_displacement_um = 0.0;
     int rejected = 0;  ///< attempts with larger steps before this one
     int linear_iterations = 0;
@@ -47,10 +49,12 @@ class Method {
 
 /// A row of the table of methods.
 struct MethodRow {
-    std::string_view name;  ///< in scenes: method.name
-    int order;              ///< of the error in time
-    bool adaptive;          ///< has an error estimate
-    bool needs_stiffness;
+    std::string_view name;    ///< in scenes: method.name
+    int order;                ///< of the error in time; 0: none, its motion is not a motion in time
+    bool adaptive;            ///< chooses its steps by its error estimate
+    int stages;               ///< force evaluations of a step; 0: as many as its length asks for
+    bool needs_stiffness;     ///< solves with (Gamma + dt K)
+    bool holds_exact_volume;  ///< can keep V = V* (controller = "exact")
     std::string_view description;
     std::unique_ptr<Method> (*make)(const MethodParameters&);
 };

@@ -21,23 +21,13 @@ void describe_forces(System& system, StepOutcome& outcome) {
 
 void describe_powers(System& system, const State& state, bool freeze_volume_integral,
                      std::span<const Vec3> v_um_per_s, StepOutcome& outcome) {
-    VelocitySystem gamma = system.velocity_system(0.0, system.volume_friction());
-    gamma.stiffness = {};
     const Model& model = system.model();
-    thread_local std::vector<double> kept;
-    std::vector<double>& per_cell = kept;  // this thread's, whoever computes the cells
-    per_cell.assign(model.radius_um.size(), 0.0);
-    system.workers().loop(gamma.n_groups(),
-                          [&](int group) { gamma.product_of_group(group, v_um_per_s); });
-    system.workers().loop(model.n_cells(), [&](int cell) {
-        thread_local std::vector<Vec3> product;
-        product.resize(idx(model.n_nodes()));
-        gamma.product_of_cell(cell, v_um_per_s, product);
-        const std::span<const Vec3> v = model.cell_nodes(v_um_per_s, cell);
-        for (std::size_t i = 0; i < v.size(); ++i) per_cell[idx(cell)] += v[i].dot(product[i]);
-    });
+    thread_local std::vector<Vec3> friction;
+    friction.resize(v_um_per_s.size());
+    system.friction_product(v_um_per_s, friction);
     outcome.dissipation_nN_um_per_s = 0.0;
-    for (const double power : per_cell) outcome.dissipation_nN_um_per_s += power;
+    for (std::size_t i = 0; i < friction.size(); ++i)
+        outcome.dissipation_nN_um_per_s += v_um_per_s[i].dot(friction[i]);
 
     outcome.drive_power_nN_um_per_s = 0.0;
     const SystemParts& parts = system.parts();
@@ -72,6 +62,34 @@ double largest_cell_rms(const Model& model, std::span<const Vec3> a, std::span<c
         largest = std::max(largest, sum2 / static_cast<double>(p.size()));
     }
     return std::sqrt(largest);
+}
+
+double largest_cell_rms(const Model& model, std::span<const Vec3> a) {
+    double largest = 0.0;
+    for (int cell = 0; cell < model.n_cells(); ++cell) {
+        double sum2 = 0.0;
+        for (const Vec3& v : model.cell_nodes(a, cell)) sum2 += v.squaredNorm();
+        largest = std::max(largest, sum2 / static_cast<double>(model.n_nodes()));
+    }
+    return std::sqrt(largest);
+}
+
+double change_of_velocity_error_um(const Model& model, const State& state,
+                                   std::span<const Vec3> v_um_per_s, double dt_s) {
+    if (!state.has_velocity) return 0.0;
+    return 0.5 * dt_s * largest_cell_rms(model, v_um_per_s, state.v_um_per_s);
+}
+
+void finish_step(State& state, std::vector<Vec3>& v_um_per_s, double end_s) {
+    const double dt_s = end_s - state.time_s;
+    for (std::size_t i = 0; i < v_um_per_s.size(); ++i) state.x_um[i] += dt_s * v_um_per_s[i];
+    std::swap(state.v_um_per_s, v_um_per_s);
+    state.has_velocity = true;
+    if (state.wall.acts()) {
+        state.wall.radius_um = state.wall.radius_at(end_s);
+        state.wall.time_s = end_s;
+    }
+    state.time_s = end_s;
 }
 
 double step_end_s(double time_s, double dt_s, double limit_s) {

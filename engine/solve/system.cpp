@@ -33,15 +33,19 @@ System::System(Model model, SystemParts parts, int n_threads, Need also)
         search_.emplace(*parts_.contact, parts_.contact_skin_um);
         needs_ = needs_ | Need::contacts | Need::triangles;
     }
-    geometry_.allocate(model_, needs_);
-    contacts_.clear(model_.n_cells());
-    force_nN_.resize(model_.n_all_nodes());
+    allocate(now_);
     cell_is_finite_.resize(model_.radius_um.size());
     drag_ = node_drags(model_, parts_.frictions.eta_f_kPa_s);
     if (parts_.cytosol != nullptr && parts_.cytosol->T_d_s() > 0.0)
         for (const double target_um3 : model_.target_volume_um3)
             volume_friction_.push_back(parts_.cytosol->K_kPa() * parts_.cytosol->T_d_s() /
                                        target_um3);
+}
+
+void System::allocate(Evaluation& evaluation) const {
+    evaluation.geometry.allocate(model_, needs_);
+    evaluation.contacts.clear(model_.n_cells());
+    evaluation.force_nN.resize(model_.n_all_nodes());
 }
 
 std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
@@ -54,48 +58,50 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
     };
     // Measures look at a configuration just before a method starts from it; comparing costs a
     // thousandth of evaluating.
-    if (is_evaluated_ && (has_stiffness_ || !wants_stiffness) &&
-        wall_radius_um == wall_radius_um_ && same_bits(x_um_, x_um) &&
-        same_bits(volume_integral_s_, volume_integral_s))
+    if (now_.is_valid && (now_.has_stiffness || !wants_stiffness) &&
+        wall_radius_um == now_.wall_radius_um && same_bits(now_.x_um, x_um) &&
+        same_bits(now_.volume_integral_s, volume_integral_s))
         return {};
-    is_evaluated_ = false;
-    x_um_.assign(x_um.begin(), x_um.end());
-    volume_integral_s_.assign(volume_integral_s.begin(), volume_integral_s.end());
-    wall_radius_um_ = wall_radius_um;
-    has_stiffness_ = wants_stiffness;
+    if (now_.force_nN.empty()) allocate(now_);  // the first time that another one lies aside
+    now_.is_valid = false;
+    now_.x_um.assign(x_um.begin(), x_um.end());
+    now_.volume_integral_s.assign(volume_integral_s.begin(), volume_integral_s.end());
+    now_.wall_radius_um = wall_radius_um;
+    now_.has_stiffness = wants_stiffness;
     if (needs_ != Need::none)
-        workers_.loop(model_.n_cells(),
-                      [&](int cell) { geometry_.compute_cell(model_, x_um_, needs_, cell); });
+        workers_.loop(model_.n_cells(), [&](int cell) {
+            now_.geometry.compute_cell(model_, now_.x_um, needs_, cell);
+        });
     if (search_) {
-        search_->find(model_, x_um_, geometry_, workers_, contacts_);
+        search_->find(model_, now_.x_um, now_.geometry, workers_, now_.contacts);
         ++work_.contact_searches;
-        if (parts_.frictions.contact || has_stiffness_)
-            pairs_.build(model_, contacts_, parts_.frictions.contact,
-                         has_stiffness_ ? parts_.contact->k_kPa_per_um : 0.0, workers_);
+        if (parts_.frictions.contact || now_.has_stiffness)
+            now_.pairs.build(model_, now_.contacts, parts_.frictions.contact,
+                             now_.has_stiffness ? parts_.contact->k_kPa_per_um : 0.0, workers_);
         else
-            pairs_.clear();
+            now_.pairs.clear();
     }
-    if (has_stiffness_) stiffness_.resize(model_.radius_um.size());
+    if (now_.has_stiffness) now_.stiffness.resize(model_.radius_um.size());
     const Configuration at = configuration();
     workers_.loop(model_.n_cells(), [&](int cell) {
-        const std::span<Vec3> F = model_.cell_nodes(std::span<Vec3>(force_nN_), cell);
+        const std::span<Vec3> F = model_.cell_nodes(std::span<Vec3>(now_.force_nN), cell);
         std::fill(F.begin(), F.end(), Vec3::Zero());
-        if (has_stiffness_) stiffness_[idx(cell)].clear();
+        if (now_.has_stiffness) now_.stiffness[idx(cell)].clear();
         for (const auto& term : parts_.terms) {
             if (!acts(*term)) continue;
             term->add_force(at, cell, F);
-            if (has_stiffness_) term->add_stiffness(at, cell, stiffness_[idx(cell)]);
+            if (now_.has_stiffness) term->add_stiffness(at, cell, now_.stiffness[idx(cell)]);
         }
         cell_is_finite_[idx(cell)] =
             std::all_of(F.begin(), F.end(), [](const Vec3& f) { return f.allFinite(); }) ? 1 : 0;
     });
     ++work_.force_evaluations;
-    if (has_stiffness_) ++work_.stiffness_evaluations;
+    if (now_.has_stiffness) ++work_.stiffness_evaluations;
     for (std::size_t t = 0; t < parts_.terms.size(); ++t)
         if (acts(*parts_.terms[t])) ++work_.terms[t].evaluations;
     if (std::find(cell_is_finite_.begin(), cell_is_finite_.end(), 0) != cell_is_finite_.end())
         return find_trouble();
-    is_evaluated_ = true;
+    now_.is_valid = true;
     return {};
 }
 
@@ -116,7 +122,8 @@ std::optional<Trouble> System::find_trouble() {
 }
 
 Configuration System::configuration() const {
-    return {model_, x_um_, volume_integral_s_, geometry_, contacts_, wall_radius_um_};
+    return {model_,        now_.x_um,     now_.volume_integral_s,
+            now_.geometry, now_.contacts, now_.wall_radius_um};
 }
 
 double System::energy_fJ() {
@@ -143,15 +150,21 @@ std::vector<Vec3> System::force_of_term(const ForceTerm& term) {
 
 VelocitySystem System::velocity_system(double dt_s, std::span<const double> volume_coefficient) {
     return {model_,
-            contacts_,
+            now_.contacts,
             drag_,
             parts_.frictions.edge_nN_s_per_um,
-            pairs_,
-            has_stiffness_ ? std::span<const CellStiffness>(stiffness_)
-                           : std::span<const CellStiffness>(),
+            now_.pairs,
+            now_.has_stiffness ? std::span<const CellStiffness>(now_.stiffness)
+                               : std::span<const CellStiffness>(),
             dt_s,
             volume_coefficient,
-            geometry_.volume_gradient_um2};
+            now_.geometry.volume_gradient_um2};
+}
+
+void System::friction_product(std::span<const Vec3> u, std::span<Vec3> out) {
+    VelocitySystem gamma = velocity_system(0.0, volume_friction_);
+    gamma.stiffness = {};
+    gamma.product(u, out, workers_);
 }
 
 SolveOutcome System::solve_friction(std::span<const Vec3> b, std::span<Vec3> v, double tolerance) {

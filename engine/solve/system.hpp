@@ -36,7 +36,7 @@ struct Trouble {
 };
 
 /// The right-hand side and the matrices of the equation of motion Gamma v = F, of one configuration
-/// at a time. Knows no method; methods know no term.
+/// at a time (a second one can be put aside). Knows no method; methods know no term.
 class System {
   public:
     /// `also`: geometry that somebody else than the terms will read (measures).
@@ -51,10 +51,15 @@ class System {
                                                   std::span<const double> volume_integral_s,
                                                   double wall_radius_um, Detail detail);
 
+    /// Puts the last evaluation aside and takes up the one that lay there, by exchanging memory:
+    /// between two calls a method of several stages looks at another configuration, and then has
+    /// the one of its start again. What is put aside is not lost by an evaluation that fails.
+    void exchange_evaluations() { std::swap(now_, aside_); }
+
     // Results of the last evaluation.
-    [[nodiscard]] std::span<const Vec3> force_nN() const { return force_nN_; }
-    [[nodiscard]] const Geometry& geometry() const { return geometry_; }
-    [[nodiscard]] const Contacts& contacts() const { return contacts_; }
+    [[nodiscard]] std::span<const Vec3> force_nN() const { return now_.force_nN; }
+    [[nodiscard]] const Geometry& geometry() const { return now_.geometry; }
+    [[nodiscard]] const Contacts& contacts() const { return now_.contacts; }
     /// Geometry, contacts and unknowns of the last evaluation, as terms and measures read them.
     [[nodiscard]] Configuration configuration() const;
     /// Stored energy of all terms that have one, fJ.
@@ -69,6 +74,8 @@ class System {
     /// Coefficient of S S^T in Gamma: K T_d / V*. [cells], or empty if there is no such part.
     [[nodiscard]] std::span<const double> volume_friction() const { return volume_friction_; }
 
+    /// out = Gamma u, with the derivative part of the volume controller. Both [all nodes].
+    void friction_product(std::span<const Vec3> u, std::span<Vec3> out);
     /// Solves Gamma v = b in the cheapest way that the scene's frictions allow.
     [[nodiscard]] SolveOutcome solve_friction(std::span<const Vec3> b, std::span<Vec3> v,
                                               double tolerance);
@@ -87,9 +94,24 @@ class System {
     [[nodiscard]] Work& counters() { return work_; }
 
   private:
+    /// Everything that belongs to one configuration.
+    struct Evaluation {
+        bool is_valid = false;
+        std::vector<Vec3> x_um;
+        std::vector<double> volume_integral_s;
+        double wall_radius_um = 0.0;
+        Geometry geometry;
+        Contacts contacts;
+        std::vector<Vec3> force_nN;
+        std::vector<CellStiffness> stiffness;
+        bool has_stiffness = false;
+        ContactOperator pairs;
+    };
+
+    void allocate(Evaluation& evaluation) const;
     [[nodiscard]] std::optional<Trouble> find_trouble();
     [[nodiscard]] bool acts(const ForceTerm& term) const {
-        return &term != parts_.wall || wall_radius_um_ > 0.0;
+        return &term != parts_.wall || now_.wall_radius_um > 0.0;
     }
 
     Model model_;
@@ -99,17 +121,8 @@ class System {
     std::optional<ContactSearch> search_;
     std::vector<double> drag_;
     std::vector<double> volume_friction_;
-    // The last evaluation.
-    bool is_evaluated_ = false;
-    std::vector<Vec3> x_um_;
-    std::vector<double> volume_integral_s_;
-    double wall_radius_um_ = 0.0;
-    Geometry geometry_;
-    Contacts contacts_;
-    std::vector<Vec3> force_nN_;
-    std::vector<CellStiffness> stiffness_;
-    bool has_stiffness_ = false;
-    ContactOperator pairs_;
+    Evaluation now_;
+    Evaluation aside_;
     std::vector<char> cell_is_finite_;
     // Solvers; made when first used, so a scene that needs none has none.
     std::unique_ptr<ConjugateGradients> conjugate_gradients_;
