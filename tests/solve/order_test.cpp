@@ -122,7 +122,7 @@ TEST(OrderOfADoublet, IsMeasuredWhereFrictionChangesAndNoPairComesOrGoes) {
     const auto pairs_at = [&](const std::vector<Vec3>& x_um) {
         EXPECT_FALSE(
             system.evaluate(x_um, problem.start.volume_integral_s, 0.0, System::Detail::forces));
-        return system.contacts().pairs;
+        return system.contacts().groups.at(0).pairs;
     };
     const auto before = pairs_at(problem.start.x_um);
     const auto after =
