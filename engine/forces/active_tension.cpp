@@ -43,9 +43,10 @@ void ActiveTension::add_stiffness(const Configuration& at, int cell, CellStiffne
         // e_a|^2/4A for normal displacements w_a and sides e_a: never negative.
         const double weight =
             gamma_nN_per_um_ / (4.0 * at.geometry.area_um2[view.first_triangle + t]);
-        K.normals.push_back({{i, j, k},
-                             {-weight * ij.dot(ki), -weight * ij.dot(jk), -weight * jk.dot(ki)},
-                             at.geometry.normal[view.first_triangle + t]});
+        K.normals.emplace_back(
+            std::array{i, j, k},
+            std::array{-weight * ij.dot(ki), -weight * ij.dot(jk), -weight * jk.dot(ki)},
+            at.geometry.normal[view.first_triangle + t]);
     }
 }
 

@@ -2,29 +2,13 @@
 
 #include "engine/forces/cell_stiffness.hpp"
 #include "engine/forces/cell_view.hpp"
+#include "engine/forces/hinge_slope.hpp"
 #include "engine/forces/parameter_check.hpp"
 
 #include <cmath>
 #include <utility>
 
 namespace spheroscope {
-
-std::array<Vec3, 4> hinge_angle_gradient(const Vec3& i, const Vec3& j, const Vec3& a,
-                                         const Vec3& b) {
-    const Vec3 e = j - i;
-    const double length2 = e.squaredNorm();
-    const double length = std::sqrt(length2);
-    const Vec3 m_left = e.cross(a - i);
-    const Vec3 m_right = (b - i).cross(e);
-    // Raising a or b flattens a convex hinge, the faster the nearer it is to the edge; where the
-    // feet of a and b stand on the edge says how i and j share the opposite motion.
-    const Vec3 by_a = (-length / m_left.squaredNorm()) * m_left;
-    const Vec3 by_b = (-length / m_right.squaredNorm()) * m_right;
-    const double foot_a = (a - i).dot(e) / length2;
-    const double foot_b = (b - i).dot(e) / length2;
-    return {(foot_a - 1.0) * by_a + (foot_b - 1.0) * by_b, -foot_a * by_a - foot_b * by_b, by_a,
-            by_b};
-}
 
 double hinge_energy_fJ(double k_fJ, double theta_rad, double rest_rad) {
     const double s = std::sin(0.5 * (theta_rad - rest_rad));
@@ -46,7 +30,7 @@ void Bending::add_force(const Configuration& at, int cell, std::span<Vec3> F_nN)
         const Vec3 &i = view.x(e.i), &j = view.x(e.j), &a = view.x(e.a), &b = view.x(e.b);
         const double turn = hinge_angle(i, j, a, b) - view.model.rest_hinge_angle_rad[n];
         const double moment = k_fJ_ * std::sin(turn);  // dU/dtheta, eqn (9)
-        const std::array<Vec3, 4> g = hinge_angle_gradient(i, j, a, b);
+        const std::array<Vec3, 4> g = hinge_slope(i, j, a, b).gradient();
         at_node(F_nN, e.i) -= moment * g[0];
         at_node(F_nN, e.j) -= moment * g[1];
         at_node(F_nN, e.a) -= moment * g[2];
@@ -74,8 +58,8 @@ void Bending::add_stiffness(const Configuration& at, int cell, CellStiffness& K)
         const double turn = hinge_angle(i, j, a, b) - view.model.rest_hinge_angle_rad[n];
         const double curvature = k_fJ_ * std::cos(turn);  // d2U/dtheta2
         if (curvature > 0.0)
-            K.rank_one_4.push_back(
-                {{e.i, e.j, e.a, e.b}, hinge_angle_gradient(i, j, a, b), curvature});
+            K.hinges.emplace_back(std::array{e.i, e.j, e.a, e.b}, hinge_slope(i, j, a, b),
+                                  curvature);
     }
 }
 

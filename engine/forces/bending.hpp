@@ -2,14 +2,7 @@
 
 #include "engine/forces/force_term.hpp"
 
-#include <array>
-
 namespace spheroscope {
-
-/// Derivatives of the hinge angle (engine/model/model.hpp) by the places of i, j, a, b, rad/um.
-/// They sum to zero and make no torque. Precondition: neither triangle has zero area.
-[[nodiscard]] std::array<Vec3, 4> hinge_angle_gradient(const Vec3& i, const Vec3& j, const Vec3& a,
-                                                       const Vec3& b);
 
 /// k_bend = factor * E t^3 / 12(1 - nu^2), eqn (10), fJ. With factor 1 (the paper) a regular sheet
 /// bends with 0.866 of the plate's rigidity; factor 2/sqrt(3) gives the plate's.

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "engine/base/lanes.hpp"
 #include "engine/base/vec3.hpp"
+#include "engine/forces/hinge_slope.hpp"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,45 +14,77 @@ namespace spheroscope {
 /// The stiffness of one cell's own terms, as lists of small positive semi-definite elements that
 /// are applied without ever assembling a matrix. A term that is absent leaves its list empty, and
 /// an empty list costs nothing. Node indices are local to the cell.
+///
+/// A product reads every element once and does little with it, so its time is that of reading:
+/// elements are single precision and short. That is harmless, because K is an approximation, and
+/// any K leads to the same end state; every element stays symmetric and positive semi-definite
+/// whatever its numbers are rounded to.
 class CellStiffness {
   public:
+    using Index = std::uint16_t;
+
     /// u -> (isotropic * 1 + along * t t^T)(u_i - u_j): a spring.
     struct Edge {
-        int i, j;
-        double isotropic, along;  ///< nN/um, both >= 0 or isotropic + along >= 0 and isotropic >= 0
-        Vec3 direction;           ///< t, unit
+        std::array<float, 3> direction;  ///< t, unit
+        float along, isotropic;          ///< nN/um, isotropic >= 0 and isotropic + along >= 0
+        Index i, j;
+        Edge(int node_i, int node_j, double isotropic_nN_per_um, double along_nN_per_um,
+             const Vec3& t);
     };
-    /// sum over the three sides of cot * (n . (u_a - u_b))^2, the normal part of a tension:
-    /// weights[k] belongs to the side opposite of node k.
+    /// The normal part of a tension, sum over the sides of weight * (n . (u_a - u_b))^2. In the
+    /// differences d = n . (u_0 - u_2) and e = n . (u_1 - u_2) that is (p d + q e)^2 + (r e)^2: a
+    /// sum of squares also when an obtuse corner makes one of the weights negative.
     struct Normal {
-        std::array<int, 3> nodes;
-        std::array<double, 3> weights;  ///< nN/um
-        Vec3 normal;
+        std::array<float, 3> normal;
+        float p, q, r;  ///< sqrt(nN/um)
+        std::array<Index, 3> nodes;
+        /// weights[k] belongs to the side opposite of node k; the sum must be >= 0 for any u.
+        Normal(const std::array<int, 3>& n, const std::array<double, 3>& weights_nN_per_um,
+               const Vec3& unit_normal);
     };
-    /// coefficient * g g^T with g over three or four nodes.
-    template <std::size_t N> struct RankOne {
-        std::array<int, N> nodes;
-        std::array<Vec3, N> gradient;
-        double coefficient;
+    /// coefficient * g g^T with g over the three nodes of a triangle.
+    struct Triangle {
+        std::array<std::array<float, 3>, 3> gradient;
+        float coefficient;
+        std::array<Index, 3> nodes;
+        Triangle(const std::array<int, 3>& n, const std::array<Vec3, 3>& g, double factor);
+    };
+    /// coefficient * g g^T with g the gradient of a hinge's angle: by_a and by_b at the wings a and
+    /// b, and at the ends j and i of the edge what keeps the sum zero, shared by the feet of the
+    /// wings on the edge.
+    struct Hinge {
+        std::array<float, 3> by_a;
+        float foot_a;
+        std::array<float, 3> by_b;
+        float foot_b;
+        float coefficient;
+        std::array<Index, 4> nodes;  ///< i, j, a, b
+        Hinge(const std::array<int, 4>& n, const HingeSlope& slope, double factor);
     };
     /// coefficient * n n^T on one node.
     struct Node {
-        int node;
-        double coefficient;
-        Vec3 direction;
+        std::array<float, 3> direction;
+        float coefficient;
+        Index node;
+        Node(int n, double coefficient_nN_per_um, const Vec3& unit);
     };
 
     std::vector<Edge> edges;
     std::vector<Normal> normals;
-    std::vector<RankOne<3>> rank_one_3;
-    std::vector<RankOne<4>> rank_one_4;
+    std::vector<Triangle> triangles;
+    std::vector<Hinge> hinges;
     std::vector<Node> nodes;
 
     void clear();
     /// out += factor * K u; both [n_nodes of the cell].
     void add_product(double factor, std::span<const Vec3> u, std::span<Vec3> out) const;
+    void add_product(double factor, std::span<const Lanes> u, std::span<Lanes> out) const;
     /// Adds factor times the 3x3 diagonal blocks to `blocks` [n_nodes].
     void add_diagonal(double factor, std::span<Mat3> blocks) const;
+
+  private:
+    template <class Vector>
+    void add_any_product(double factor, std::span<const Vector> u, std::span<Vector> out) const;
 };
 
 }  // namespace spheroscope

@@ -57,10 +57,9 @@ double CompactionWall::load_nN(const Configuration& at, int cell) const {
 }
 
 void CompactionWall::add_stiffness(const Configuration& at, int cell, CellStiffness& K) const {
-    for_each_overlap(at, cell, parameters_.k_kPa_per_um,
-                     [&](int i, double k, double, const Vec3& outward) {
-                         K.nodes.push_back({i, k, outward});
-                     });
+    for_each_overlap(
+        at, cell, parameters_.k_kPa_per_um,
+        [&](int i, double k, double, const Vec3& outward) { K.nodes.emplace_back(i, k, outward); });
 }
 
 }  // namespace spheroscope

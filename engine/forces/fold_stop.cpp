@@ -3,6 +3,7 @@
 #include "engine/forces/bending.hpp"
 #include "engine/forces/cell_stiffness.hpp"
 #include "engine/forces/cell_view.hpp"
+#include "engine/forces/hinge_slope.hpp"
 #include "engine/forces/parameter_check.hpp"
 
 #include <cmath>
@@ -36,8 +37,8 @@ void for_each_fold(const CellView& view, const FoldStopParameters& p, Visit visi
     }
 }
 
-std::array<Vec3, 4> gradient(const CellView& view, const MeshTopology::Edge& e) {
-    return hinge_angle_gradient(view.x(e.i), view.x(e.j), view.x(e.a), view.x(e.b));
+HingeSlope slope(const CellView& view, const MeshTopology::Edge& e) {
+    return hinge_slope(view.x(e.i), view.x(e.j), view.x(e.a), view.x(e.b));
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ FoldStop::FoldStop(Loc loc, const FoldStopParameters& parameters)
 void FoldStop::add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const {
     const CellView view(at, cell);
     for_each_fold(view, parameters_, [&](const MeshTopology::Edge& e, double k, double excess) {
-        const std::array<Vec3, 4> g = gradient(view, e);
+        const std::array<Vec3, 4> g = slope(view, e).gradient();
         at_node(F_nN, e.i) -= k * excess * g[0];
         at_node(F_nN, e.j) -= k * excess * g[1];
         at_node(F_nN, e.a) -= k * excess * g[2];
@@ -73,7 +74,7 @@ std::optional<double> FoldStop::energy_fJ(const Configuration& at, int cell) con
 void FoldStop::add_stiffness(const Configuration& at, int cell, CellStiffness& K) const {
     const CellView view(at, cell);
     for_each_fold(view, parameters_, [&](const MeshTopology::Edge& e, double k, double) {
-        K.rank_one_4.push_back({{e.i, e.j, e.a, e.b}, gradient(view, e), k});
+        K.hinges.emplace_back(std::array{e.i, e.j, e.a, e.b}, slope(view, e), k);
     });
 }
 

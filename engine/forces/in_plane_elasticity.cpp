@@ -57,7 +57,7 @@ void InPlaneElasticity::add_stiffness(const Configuration& at, int cell, CellSti
         const Vec3 along = view.x(e.j) - view.x(e.i);
         const double d = along.norm();
         const double transverse = std::max(0.0, k * (1.0 - rest / d));
-        K.edges.push_back({e.i, e.j, transverse, k - transverse, along / d});
+        K.edges.emplace_back(e.i, e.j, transverse, k - transverse, along / d);
     });
 }
 

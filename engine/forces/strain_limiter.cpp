@@ -108,15 +108,15 @@ void StrainLimiter::add_stiffness(const Configuration& at, int cell, CellStiffne
         const double first = slope(s.excess, psi0);
         const double y = s.excess + psi0;
         const double second = 2.0 * psi0 * psi0 / (y * y * y);
-        K.rank_one_3.push_back({s.nodes, s.psi_gradient(), kappa * s.rest_area_um2 * second});
+        K.triangles.emplace_back(s.nodes, s.psi_gradient(), kappa * s.rest_area_um2 * second);
         const double J2 = s.J * s.J;
-        K.rank_one_3.push_back(
-            {s.nodes, s.J_gradient(), 1.5 * kappa * s.rest_area_um2 * first * s.I1 / (J2 * J2)});
+        K.triangles.emplace_back(s.nodes, s.J_gradient(),
+                                 1.5 * kappa * s.rest_area_um2 * first * s.I1 / (J2 * J2));
         const double pull = 0.25 * kappa * first * (1.0 + 1.0 / J2);
         for (std::size_t c = 0; c < 3; ++c)
             if (s.rest_cotangents[c] > 0.0)
-                K.edges.push_back({s.nodes[(c + 1) % 3], s.nodes[(c + 2) % 3],
-                                   pull * s.rest_cotangents[c], 0.0, Vec3::Zero()});
+                K.edges.emplace_back(s.nodes[(c + 1) % 3], s.nodes[(c + 2) % 3],
+                                     pull * s.rest_cotangents[c], 0.0, Vec3::Zero());
     });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/lanes.hpp"
 #include "engine/base/vec3.hpp"
 #include "engine/model/mesh_topology.hpp"
 
@@ -16,5 +17,7 @@ namespace spheroscope {
 /// edges, so all cells share this matrix, and it acts on x, y and z alike.
 void add_cortex_friction(const MeshTopology& mesh, double edge_friction, std::span<const Vec3> u,
                          std::span<Vec3> out);
+void add_cortex_friction(const MeshTopology& mesh, double edge_friction, std::span<const Lanes> u,
+                         std::span<Lanes> out);
 
 }  // namespace spheroscope

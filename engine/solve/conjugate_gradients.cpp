@@ -1,5 +1,6 @@
 #include "engine/solve/conjugate_gradients.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -8,11 +9,30 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-    return sum;
-}
+/// Smallest share to which one pass of single-precision iterations reduces a residual. Its own
+/// residual, updated and not computed anew, strays from the true one by some 1e-6.
+constexpr double k_reduction_per_pass = 1e-4;
+/// From this tolerance on also the residual of the start may be computed in single precision: it is
+/// then wrong by some 1e-6 of |b|.
+constexpr double k_rough = 1e-3;
+/// A pass that does not even do this has met the end of double precision.
+constexpr double k_progress_per_pass = 0.5;
+
+/// Sums of four lanes at a time; one cell is too small for the rounding of single precision to
+/// matter at k_reduction_per_pass.
+class LaneSum {
+  public:
+    void add(std::size_t i, Lanes a, Lanes b) { sum_[i % sum_.size()] += a.lane * b.lane; }
+    [[nodiscard]] double total() const {
+        double total = 0.0;
+        for (const Lanes::Register& s : sum_)
+            for (int k = 0; k < 3; ++k) total += static_cast<double>(s[k]);
+        return total;
+    }
+
+  private:
+    std::array<Lanes::Register, 4> sum_{};
+};
 
 double total(const std::vector<double>& per_cell) {
     return std::accumulate(per_cell.begin(), per_cell.end(), 0.0);
@@ -20,94 +40,201 @@ double total(const std::vector<double>& per_cell) {
 
 }  // namespace
 
-SolveOutcome ConjugateGradients::solve(const VelocitySystem& system,
-                                       const Preconditioner& preconditioner,
-                                       std::span<const Vec3> b, std::span<Vec3> x, double tolerance,
-                                       int largest_iterations, Workers& workers) {
-    const Model& model = system.model;
-    for (std::vector<Vec3>* v : {&residual_, &direction_, &product_, &preconditioned_})
-        v->resize(b.size());
-    for (std::vector<double>* s : {&sum_bb_, &sum_rr_, &sum_rz_, &sum_pq_})
-        s->assign(model.radius_um.size(), 0.0);
-    const auto of_cell = [&](std::vector<Vec3>& v, int cell) {
-        return model.cell_nodes(std::span<Vec3>(v), cell);
-    };
+/// One member's part of a solve.
+class ConjugateGradients::Solve {
+  public:
+    Solve(ConjugateGradients& arrays, const VelocitySystem& system,
+          const Preconditioner& preconditioner, std::span<const Vec3> b, std::span<Vec3> x,
+          Workers::Member& member)
+        : arrays_(arrays), system_(system), preconditioner_(preconditioner), b_(b), x_(x),
+          member_(member), cells_(member.share(system.model.n_cells())),
+          groups_(member.share(system.n_groups())) {}
 
-    SolveOutcome outcome;  // written by member 0
-    workers.region([&](Workers::Member& member) {
-        const auto cells = member.share(model.n_cells());
-        const auto groups = member.share(system.n_groups());
-        const auto multiply_groups = [&](std::span<const Vec3> u) {
-            for (int g = groups.begin; g < groups.end; ++g) system.product_of_group(g, u);
-            member.wait();
-        };
-        const auto precondition = [&](int cell) {
-            const std::span<Vec3> r = of_cell(residual_, cell);
-            const std::span<Vec3> z = of_cell(preconditioned_, cell);
-            preconditioner.apply(cell, r, z);
-            sum_rz_[idx(cell)] = dot(r, z);
-            sum_rr_[idx(cell)] = dot(r, r);
-        };
-
-        multiply_groups(x);
-        for (int cell = cells.begin; cell < cells.end; ++cell) {
-            const std::span<Vec3> q = of_cell(product_, cell);
-            const std::span<Vec3> r = of_cell(residual_, cell);
-            const std::span<const Vec3> b_cell = model.cell_nodes(b, cell);
-            system.product_of_cell(cell, x, q);
-            for (std::size_t i = 0; i < r.size(); ++i) r[i] = b_cell[i] - q[i];
-            sum_bb_[idx(cell)] = dot(b_cell, b_cell);
-            precondition(cell);
-        }
-        member.wait();
-        const double bb = total(sum_bb_);
-        double rr = total(sum_rr_);
-        double rz = total(sum_rz_);
-        double beta = 0.0;
-        int iteration = 0;
+    SolveOutcome run(double tolerance, int largest_iterations) {
+        SolveOutcome outcome;
+        if (tolerance >= k_rough)
+            residual_in_single();
+        else
+            residual_in_double();
+        const double bb = total(arrays_.sum_bb_);
         const double enough = tolerance * tolerance * bb;
-        // A residual that is not a number fails both tests and leaves as 'not converged'.
-        while (rr > enough && iteration < largest_iterations) {
+        // A residual that is not a number fails all tests and leaves as 'not converged'.
+        while (rr_ > enough && outcome.iterations < largest_iterations) {
+            const double start = rr_;
+            const double smallest = k_reduction_per_pass * k_reduction_per_pass * start;
+            outcome.iterations +=
+                iterate(std::max(enough, smallest), largest_iterations - outcome.iterations);
+            add_correction();
+            if (enough >= smallest) break;
+            residual_in_double();
+            if (!(rr_ < k_progress_per_pass * start)) break;
+        }
+        outcome.converged = rr_ <= enough;
+        outcome.relative_residual = bb > 0.0 ? std::sqrt(rr_ / bb) : 0.0;
+        return outcome;
+    }
+
+  private:
+    template <class V> std::span<V> of_cell(std::vector<V>& values, int cell) const {
+        return system_.model.cell_nodes(std::span<V>(values), cell);
+    }
+
+    template <class V> void multiply_groups(std::span<const V> u) {
+        for (int g = groups_.begin; g < groups_.end; ++g) system_.product_of_group(g, u);
+        member_.wait();
+    }
+
+    /// z = B r, and the sums of r with z and with itself.
+    void precondition(int cell) {
+        const std::span<Lanes> r = of_cell(arrays_.residual_, cell);
+        const std::span<Lanes> z = of_cell(arrays_.preconditioned_, cell);
+        preconditioner_.apply(cell, r, z);
+        LaneSum rz, rr;
+        for (std::size_t i = 0; i < r.size(); ++i) {
+            rz.add(i, r[i], z[i]);
+            rr.add(i, r[i], r[i]);
+        }
+        arrays_.sum_rz_[idx(cell)] = rz.total();
+        arrays_.sum_rr_[idx(cell)] = rr.total();
+    }
+
+    /// r = b - A x; correction = 0.
+    void residual_in_double() {
+        multiply_groups(std::span<const Vec3>(x_));
+        for (int cell = cells_.begin; cell < cells_.end; ++cell) {
+            const std::span<Vec3> q = of_cell(arrays_.exact_product_, cell);
+            const std::span<Lanes> r = of_cell(arrays_.residual_, cell);
+            const std::span<Lanes> correction = of_cell(arrays_.correction_, cell);
+            const std::span<const Vec3> b = system_.model.cell_nodes(b_, cell);
+            system_.product_of_cell(cell, std::span<const Vec3>(x_), q);
+            double bb = 0.0, rr = 0.0;
+            for (std::size_t i = 0; i < r.size(); ++i) {
+                const Vec3 residual = b[i] - q[i];
+                r[i] = Lanes(residual);
+                correction[i] = Lanes::zero();
+                bb += b[i].squaredNorm();
+                rr += residual.squaredNorm();
+            }
+            precondition(cell);
+            arrays_.sum_bb_[idx(cell)] = bb;
+            arrays_.sum_rr_[idx(cell)] = rr;  // also where single precision would be zero
+        }
+        member_.wait();
+        rr_ = total(arrays_.sum_rr_);
+        rz_ = total(arrays_.sum_rz_);
+    }
+
+    void residual_in_single() {
+        for (int cell = cells_.begin; cell < cells_.end; ++cell) {
+            const std::span<const Vec3> x =
+                system_.model.cell_nodes(std::span<const Vec3>(x_), cell);
+            std::transform(x.begin(), x.end(), of_cell(arrays_.direction_, cell).begin(),
+                           [](const Vec3& v) { return Lanes(v); });
+        }
+        member_.wait();
+        const std::span<const Lanes> start(arrays_.direction_);
+        multiply_groups(start);
+        for (int cell = cells_.begin; cell < cells_.end; ++cell) {
+            const std::span<Lanes> r = of_cell(arrays_.residual_, cell);
+            const std::span<Lanes> q = of_cell(arrays_.product_, cell);
+            const std::span<Lanes> correction = of_cell(arrays_.correction_, cell);
+            const std::span<const Vec3> b = system_.model.cell_nodes(b_, cell);
+            system_.product_of_cell(cell, start, q);
+            double bb = 0.0;
+            for (std::size_t i = 0; i < r.size(); ++i) {
+                r[i] = Lanes(b[i]) - q[i];
+                correction[i] = Lanes::zero();
+                bb += b[i].squaredNorm();
+            }
+            precondition(cell);
+            arrays_.sum_bb_[idx(cell)] = bb;
+        }
+        member_.wait();
+        rr_ = total(arrays_.sum_rr_);
+        rz_ = total(arrays_.sum_rz_);
+    }
+
+    /// Until |r|^2 <= enough. Returns the iterations.
+    int iterate(double enough, int largest_iterations) {
+        const std::span<const Lanes> direction(arrays_.direction_);
+        float beta = 0.0F;
+        int iteration = 0;
+        while (rr_ > enough && iteration < largest_iterations) {
             ++iteration;
-            for (int cell = cells.begin; cell < cells.end; ++cell) {
-                const std::span<Vec3> p = of_cell(direction_, cell);
-                const std::span<const Vec3> z = of_cell(preconditioned_, cell);
-                if (beta == 0.0)
+            for (int cell = cells_.begin; cell < cells_.end; ++cell) {
+                const std::span<Lanes> p = of_cell(arrays_.direction_, cell);
+                const std::span<const Lanes> z = of_cell(arrays_.preconditioned_, cell);
+                if (iteration == 1)
                     std::copy(z.begin(), z.end(), p.begin());
                 else
                     for (std::size_t i = 0; i < p.size(); ++i) p[i] = z[i] + beta * p[i];
             }
-            member.wait();
-            multiply_groups(direction_);
-            for (int cell = cells.begin; cell < cells.end; ++cell) {
-                const std::span<Vec3> q = of_cell(product_, cell);
-                system.product_of_cell(cell, direction_, q);
-                sum_pq_[idx(cell)] = dot(of_cell(direction_, cell), q);
+            member_.wait();
+            multiply_groups(direction);
+            for (int cell = cells_.begin; cell < cells_.end; ++cell) {
+                const std::span<Lanes> q = of_cell(arrays_.product_, cell);
+                const std::span<const Lanes> p = of_cell(arrays_.direction_, cell);
+                system_.product_of_cell(cell, direction, q);
+                LaneSum pq;
+                for (std::size_t i = 0; i < q.size(); ++i) pq.add(i, p[i], q[i]);
+                arrays_.sum_pq_[idx(cell)] = pq.total();
             }
-            member.wait();
-            const double alpha = rz / total(sum_pq_);
-            for (int cell = cells.begin; cell < cells.end; ++cell) {
-                const std::span<const Vec3> p = of_cell(direction_, cell);
-                const std::span<const Vec3> q = of_cell(product_, cell);
-                const std::span<Vec3> r = of_cell(residual_, cell);
-                const std::span<Vec3> x_cell = model.cell_nodes(x, cell);
+            member_.wait();
+            const auto alpha = static_cast<float>(rz_ / total(arrays_.sum_pq_));
+            for (int cell = cells_.begin; cell < cells_.end; ++cell) {
+                const std::span<const Lanes> p = of_cell(arrays_.direction_, cell);
+                const std::span<const Lanes> q = of_cell(arrays_.product_, cell);
+                const std::span<Lanes> r = of_cell(arrays_.residual_, cell);
+                const std::span<Lanes> correction = of_cell(arrays_.correction_, cell);
                 for (std::size_t i = 0; i < r.size(); ++i) {
-                    x_cell[i] += alpha * p[i];
+                    correction[i] += alpha * p[i];
                     r[i] -= alpha * q[i];
                 }
                 precondition(cell);
             }
-            member.wait();
-            rr = total(sum_rr_);
-            const double next_rz = total(sum_rz_);
-            beta = next_rz / rz;
-            rz = next_rz;
+            member_.wait();
+            rr_ = total(arrays_.sum_rr_);
+            const double next_rz = total(arrays_.sum_rz_);
+            beta = static_cast<float>(next_rz / rz_);
+            rz_ = next_rz;
         }
-        if (member.index() == 0) {
-            outcome.converged = rr <= enough;
-            outcome.iterations = iteration;
-            outcome.relative_residual = bb > 0.0 ? std::sqrt(rr / bb) : 0.0;
+        return iteration;
+    }
+
+    void add_correction() {
+        for (int cell = cells_.begin; cell < cells_.end; ++cell) {
+            const std::span<Vec3> x = system_.model.cell_nodes(x_, cell);
+            const std::span<const Lanes> correction = of_cell(arrays_.correction_, cell);
+            for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction[i].vec3();
         }
+        member_.wait();
+    }
+
+    ConjugateGradients& arrays_;
+    const VelocitySystem& system_;
+    const Preconditioner& preconditioner_;
+    std::span<const Vec3> b_;
+    std::span<Vec3> x_;
+    Workers::Member& member_;
+    Workers::Member::Range cells_, groups_;
+    double rr_ = 0.0, rz_ = 0.0;  // |r|^2 and r.z, the same for all members
+};
+
+SolveOutcome ConjugateGradients::solve(const VelocitySystem& system,
+                                       const Preconditioner& preconditioner,
+                                       std::span<const Vec3> b, std::span<Vec3> x, double tolerance,
+                                       int largest_iterations, Workers& workers) {
+    exact_product_.resize(b.size());
+    for (std::vector<Lanes>* v :
+         {&correction_, &residual_, &direction_, &product_, &preconditioned_})
+        v->resize(b.size());
+    for (std::vector<double>* s : {&sum_bb_, &sum_rr_, &sum_rz_, &sum_pq_})
+        s->assign(system.model.radius_um.size(), 0.0);
+    SolveOutcome outcome;
+    workers.region([&](Workers::Member& member) {
+        const SolveOutcome own =
+            Solve(*this, system, preconditioner, b, x, member).run(tolerance, largest_iterations);
+        if (member.index() == 0) outcome = own;
     });
     return outcome;
 }

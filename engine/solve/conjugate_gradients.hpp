@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/solve/velocity_system.hpp"
+#include "engine/solve/cellwise_inverse.hpp"
 
 namespace spheroscope {
 
@@ -11,8 +11,15 @@ struct SolveOutcome {
 };
 
 /// Preconditioned conjugate gradients (Hestenes and Stiefel 1952) on a VelocitySystem, in one
-/// parallel region. Dot products are summed per cell, then over cells in index order by every
-/// member for itself: no broadcast, and the same bits for any number of threads.
+/// parallel region. The iterations are done in single precision, on the correction to the start: a
+/// product reads half as much and does three components in one instruction. The residual that they
+/// start from is computed in double precision; where more digits are asked for than single
+/// precision has, the iterations are started again from the residual of what has been reached
+/// (iterative refinement, Wilkinson 1963). So any tolerance can be had, down to that of double
+/// precision.
+///
+/// Dot products are summed per cell, then over cells in index order by every member for itself: no
+/// broadcast, and the same bits for any number of threads.
 class ConjugateGradients {
   public:
     /// x [all nodes]: start in, solution out. Stops at |b - A x| <= tolerance |b|.
@@ -22,8 +29,10 @@ class ConjugateGradients {
                                      Workers& workers);
 
   private:
-    std::vector<Vec3> residual_, direction_, product_, preconditioned_;  // [all nodes]
-    std::vector<double> sum_bb_, sum_rr_, sum_rz_, sum_pq_;              // [cells]
+    class Solve;
+    std::vector<Vec3> exact_product_;  // [all nodes]
+    std::vector<Lanes> correction_, residual_, direction_, product_, preconditioned_;  // likewise
+    std::vector<double> sum_bb_, sum_rr_, sum_rz_, sum_pq_;                            // [cells]
 };
 
 }  // namespace spheroscope

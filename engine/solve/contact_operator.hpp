@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/lanes.hpp"
 #include "engine/base/workers.hpp"
 #include "engine/contact/contacts.hpp"
 #include "engine/friction/contact_friction.hpp"
@@ -18,7 +19,9 @@ namespace spheroscope {
 /// the values of the nodes that it touches into a small local array, works through its pairs there,
 /// and leaves the result in another one; then every cell adds what its groups have left, in the
 /// order of the groups. Each pair is read once, nobody writes where another one does, and the sums
-/// have one order.
+/// have one order. Products exist in double precision (Vec3) and in single (Lanes); the numbers of
+/// a pair are stored once, rounded to single precision (relative error 6e-8), such that the graph
+/// of its friction stays blind to a common translation.
 class ContactOperator {
   public:
     /// friction: empty if the scene has none. stiffness_kPa_per_um: k of the law; 0: no stiffness.
@@ -30,9 +33,11 @@ class ContactOperator {
     [[nodiscard]] int n_groups() const { return static_cast<int>(n_groups_); }
 
     /// Phase 1, for one group. The product is (friction + dt_s * stiffness) u.
-    void product_of_group(int group, const Model& model, double dt_s, std::span<const Vec3> u);
+    template <class Vector>
+    void product_of_group(int group, const Model& model, double dt_s, std::span<const Vector> u);
     /// Phase 2, for one cell: out [n_nodes of the cell] += what its groups have left.
-    void add_to_cell(int cell, const Contacts& contacts, std::span<Vec3> out) const;
+    template <class Vector>
+    void add_to_cell(int cell, const Contacts& contacts, std::span<Vector> out) const;
     /// Adds the 3x3 diagonal blocks of one cell.
     void add_diagonal(int cell, const Contacts& contacts, double dt_s,
                       std::span<Mat3> blocks) const;
@@ -40,18 +45,31 @@ class ContactOperator {
 
   private:
     struct Element {
-        std::array<std::uint16_t, 3> a, b;  // into the group's local arrays
-        PairGraph graph;
-        Vec3 normal;
-        double tangential;    // S g_t, nN s/um
-        double normal_extra;  // S (g_n - g_t)
-        double stiffness;     // S k, nN/um
+        std::array<std::uint16_t, 3> a, b;  // into the group's local arrays; b after A's nodes
+        std::array<float, 2> lambda, mu;    // the third is what is missing to 1
+        std::array<float, 3> normal;
+        float tangential;    // S g_t / 6, nN s/um
+        float normal_extra;  // S (g_n - g_t) / 6
+        float stiffness;     // S k, nN/um
+    };
+    template <class Vector> struct Local {
+        std::vector<Vector> u, y;  // A's nodes, then B's
     };
     struct Group {
         int cell_a = 0, cell_b = 0;
         std::vector<int> nodes_a, nodes_b;  // local array -> node of the cell
         std::vector<Element> elements;
-        std::vector<Vec3> u, y;  // A's nodes, then B's
+        Local<Vec3> in_double;
+        Local<Lanes> in_single;
+        template <class Vector> auto& local() {
+            if constexpr (std::is_same_v<Vector, Lanes>)
+                return in_single;
+            else
+                return in_double;
+        }
+        template <class Vector> const auto& local() const {
+            return const_cast<Group*>(this)->local<Vector>();
+        }
     };
     void build_group(const Model& model, const Contacts& contacts, const Contacts::Group& source,
                      Group& group) const;

@@ -77,24 +77,30 @@ CortexFactor::CortexFactor(const MeshTopology& mesh, std::span<const double> dra
     }
 }
 
-void CortexFactor::solve(std::span<const Vec3> b, std::span<Vec3> x, std::span<Vec3> work) const {
+template <class Vector> void CortexFactor::solve(std::span<const Vector> b, std::span<Vector> x,
+                                                 std::span<Vector> work) const {
+    using Scalar = typename VectorTraits<Vector>::Scalar;
+    const auto value = [&](std::size_t k) { return static_cast<Scalar>(value_[k]); };
     const std::size_t n = permutation_.size();
     for (std::size_t i = 0; i < n; ++i) work[i] = b[idx(permutation_[i])];
     for (std::size_t column = 0; column < n; ++column) {  // L y = b
         const std::size_t first = idx(column_begin_[column]);
         const std::size_t end = idx(column_begin_[column + 1]);
-        work[column] /= value_[first];
-        const Vec3 y = work[column];
-        for (std::size_t k = first + 1; k < end; ++k) work[idx(row_[k])] -= value_[k] * y;
+        const Vector y = (Scalar{1} / value(first)) * work[column];
+        work[column] = y;
+        for (std::size_t k = first + 1; k < end; ++k) work[idx(row_[k])] -= value(k) * y;
     }
     for (std::size_t column = n; column-- > 0;) {  // L^T z = y
         const std::size_t first = idx(column_begin_[column]);
         const std::size_t end = idx(column_begin_[column + 1]);
-        Vec3 z = work[column];
-        for (std::size_t k = first + 1; k < end; ++k) z -= value_[k] * work[idx(row_[k])];
-        work[column] = z / value_[first];
+        Vector z = work[column];
+        for (std::size_t k = first + 1; k < end; ++k) z -= value(k) * work[idx(row_[k])];
+        work[column] = (Scalar{1} / value(first)) * z;
     }
     for (std::size_t i = 0; i < n; ++i) x[idx(permutation_[i])] = work[i];
 }
+
+template void CortexFactor::solve(std::span<const Vec3>, std::span<Vec3>, std::span<Vec3>) const;
+template void CortexFactor::solve(std::span<const Lanes>, std::span<Lanes>, std::span<Lanes>) const;
 
 }  // namespace spheroscope

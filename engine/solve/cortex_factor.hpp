@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/lanes.hpp"
 #include "engine/base/vec3.hpp"
 #include "engine/model/mesh_topology.hpp"
 
@@ -17,8 +18,10 @@ class CortexFactor {
     /// drag [n_nodes], nN s/um, > 0.
     CortexFactor(const MeshTopology& mesh, std::span<const double> drag, double edge_friction);
 
-    /// x = matrix^-1 b; both [n_nodes]; work [n_nodes] is scratch. x may be b.
-    void solve(std::span<const Vec3> b, std::span<Vec3> x, std::span<Vec3> work) const;
+    /// x = matrix^-1 b; both [n_nodes]; work [n_nodes] is scratch. x may be b. Vector: Vec3, or
+    /// Lanes in single precision.
+    template <class Vector>
+    void solve(std::span<const Vector> b, std::span<Vector> x, std::span<Vector> work) const;
 
   private:
     std::vector<int> permutation_;

@@ -172,24 +172,33 @@ SolveOutcome System::solve_friction(std::span<const Vec3> b, std::span<Vec3> v, 
     VelocitySystem system = velocity_system(0.0, volume_friction_);
     system.stiffness = {};
     const FrictionShape shape = friction_shape();
-    if (!friction_preconditioner_) {
-        if (shape == FrictionShape::diagonal || parts_.frictions.edge_nN_s_per_um == 0.0)
-            friction_preconditioner_ = std::make_unique<DragPreconditioner>();
-        else
-            friction_preconditioner_ = std::make_unique<CortexPreconditioner>();
-    }
-    friction_preconditioner_->prepare(system, workers_);
-    if (const auto* cortex = dynamic_cast<CortexPreconditioner*>(friction_preconditioner_.get()))
-        work_.factorisations = cortex->factorisations();
+    const bool has_cortex = parts_.frictions.edge_nN_s_per_um > 0.0;
     if (shape != FrictionShape::changing) {
-        // No cell is coupled to another one: the preconditioner is the inverse.
+        // No cell is coupled to another one: inverting the cells is the whole solution.
+        if (!friction_inverse_) {
+            if (has_cortex)
+                friction_inverse_ = std::make_unique<CortexInverse<Vec3>>();
+            else
+                friction_inverse_ = std::make_unique<DragInverse<Vec3>>();
+        }
+        friction_inverse_->prepare(system, workers_);
         workers_.loop(model_.n_cells(), [&](int cell) {
-            friction_preconditioner_->apply(cell, model_.cell_nodes(b, cell),
-                                            model_.cell_nodes(v, cell));
+            friction_inverse_->apply(cell, model_.cell_nodes(b, cell), model_.cell_nodes(v, cell));
         });
+        if (const auto* cortex = dynamic_cast<CortexInverse<Vec3>*>(friction_inverse_.get()))
+            work_.factorisations = cortex->factorisations();
         if (shape == FrictionShape::fixed) ++work_.direct_solves;
         return {true, 0, 0.0};
     }
+    if (!friction_preconditioner_) {
+        if (has_cortex)
+            friction_preconditioner_ = std::make_unique<CortexInverse<Lanes>>();
+        else
+            friction_preconditioner_ = std::make_unique<DragInverse<Lanes>>();
+    }
+    friction_preconditioner_->prepare(system, workers_);
+    if (const auto* cortex = dynamic_cast<CortexInverse<Lanes>*>(friction_preconditioner_.get()))
+        work_.factorisations = cortex->factorisations();
     if (!conjugate_gradients_) conjugate_gradients_ = std::make_unique<ConjugateGradients>();
     const SolveOutcome outcome = conjugate_gradients_->solve(
         system, *friction_preconditioner_, b, v, tolerance, k_largest_iterations, workers_);

@@ -126,6 +126,7 @@ class System {
     std::vector<char> cell_is_finite_;
     // Solvers; made when first used, so a scene that needs none has none.
     std::unique_ptr<ConjugateGradients> conjugate_gradients_;
+    std::unique_ptr<CellwiseInverse<Vec3>> friction_inverse_;
     std::unique_ptr<Preconditioner> friction_preconditioner_;
     std::unique_ptr<BlockJacobi> implicit_preconditioner_;
     Work work_;

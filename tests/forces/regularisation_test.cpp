@@ -29,7 +29,7 @@ TEST(StrainLimiter, IsExactlySilentWithinItsRangeOfUniformStrain) {
             EXPECT_EQ(test.energy_fJ(k_limiter), 0.0);
             CellStiffness K;
             k_limiter.add_stiffness(test.at(), TestCell::cell, K);
-            EXPECT_TRUE(K.edges.empty() && K.rank_one_3.empty());
+            EXPECT_TRUE(K.edges.empty() && K.triangles.empty());
         }
 }
 
@@ -73,7 +73,7 @@ TEST(StrainLimiter, StiffnessOfUniformStretchIsTheClosedFormOfItsPositiveParts) 
         const double per_area = second * psi_slope * psi_slope + first * (1.0 + std::pow(s, -4)) +
                                 first * 12.0 * std::pow(s, -4);
         const double expected = kappa * 81.0 * test.model.unit_area * per_area;
-        EXPECT_NEAR(quadratic, expected, 1e-11 * expected);
+        EXPECT_NEAR(quadratic, expected, 2e-7 * expected);  // elements in single precision
     }
 }
 

@@ -1,6 +1,7 @@
 #include "engine/base/random.hpp"
 #include "tests/reference/dense_system.hpp"
 #include "tests/reference/made_up_cells.hpp"
+#include "tests/reference/pair_graph.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -54,7 +55,8 @@ TEST_F(FrictionMatrix, IsTheSumOfItsDefinitions) {
         reference::dense_contact_friction(cells.model, system.contacts(), contact_friction) +
         reference::dense_volume(cells.model, system.volume_friction(),
                                 system.geometry().volume_gradient_um2);
-    EXPECT_LE(largest(gamma - twin), 1e-12 * largest(twin));
+    // the elements of pairs are stored in single precision
+    EXPECT_LE(largest(gamma - twin), 2e-7 * largest(twin));
 }
 
 TEST_F(FrictionMatrix, HasTheDerivativePartOfTheVolumeControllerAsAFriction) {
@@ -114,7 +116,7 @@ TEST_F(FrictionMatrix, DissipatesContactFrictionByTheRelativeVelocityOfTheCells)
                                      contact_friction.tangential_kPa_s_per_um *
                                          (relative.squaredNorm() - across * across));
     }
-    EXPECT_NEAR(power, expected, 1e-12 * expected);
+    EXPECT_NEAR(power, expected, 1e-7 * expected);
 }
 
 TEST(PairGraph, HasWeightsThatAreNotNegativeAndSumToOne) {
@@ -125,7 +127,7 @@ TEST(PairGraph, HasWeightsThatAreNotNegativeAndSumToOne) {
             const double s = (1.0 - r) * random.uniform(seed, first + 1);
             return std::array<double, 3>{r, s, 1.0 - r - s};
         };
-        const PairGraph graph{barycentric(0), barycentric(2)};
+        const reference::PairGraph graph{barycentric(0), barycentric(2)};
         // Column by column: minus the off-diagonal entries are the weights w_ik.
         double sum = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -142,7 +144,7 @@ TEST(PairGraph, HasWeightsThatAreNotNegativeAndSumToOne) {
                 column -= y_a[i].x();
             }
             EXPECT_NEAR(y_b[k].x(), column, 1e-15) << "rows sum to zero";
-            EXPECT_NEAR(PairGraph::diagonal(graph.mu[k]), column, 1e-15);
+            EXPECT_NEAR(reference::PairGraph::diagonal(graph.mu[k]), column, 1e-15);
         }
         EXPECT_NEAR(sum, 1.0, 1e-14);
     }

@@ -118,26 +118,33 @@ MatrixXd dense_cell_stiffness(const Model& model, std::span<const CellStiffness>
     for (int cell = 0; cell < model.n_cells(); ++cell) {
         const CellStiffness& K = stiffness[static_cast<std::size_t>(cell)];
         const auto node = [&](int local) { return blocks.node(cell, local); };
+        const auto vec3 = [](const std::array<float, 3>& v) { return VectorTraits<Vec3>::from(v); };
         for (const CellStiffness::Edge& e : K.edges)
             blocks.add_between(node(e.i), node(e.j),
-                               e.isotropic * Mat3::Identity() +
-                                   e.along * e.direction * e.direction.transpose());
-        for (const CellStiffness::Normal& e : K.normals)
-            for (std::size_t k = 0; k < 3; ++k)
-                blocks.add_between(node(e.nodes[(k + 1) % 3]), node(e.nodes[(k + 2) % 3]),
-                                   e.weights[k] * e.normal * e.normal.transpose());
-        const auto add_rank_one = [&](const auto& elements) {
-            for (const auto& e : elements) {
-                std::vector<int> nodes;
-                for (const int local : e.nodes) nodes.push_back(node(local));
-                blocks.add_square(nodes, e.gradient, e.coefficient);
-            }
-        };
-        add_rank_one(K.rank_one_3);
-        add_rank_one(K.rank_one_4);
+                               double{e.isotropic} * Mat3::Identity() +
+                                   double{e.along} * vec3(e.direction) *
+                                       vec3(e.direction).transpose());
+        for (const CellStiffness::Normal& e : K.normals) {
+            const std::array nodes{node(e.nodes[0]), node(e.nodes[1]), node(e.nodes[2])};
+            const double p = double{e.p}, q = double{e.q}, r = double{e.r};
+            const Vec3 n = vec3(e.normal);
+            blocks.add_square(nodes, std::array<Vec3, 3>{p * n, q * n, -(p + q) * n}, 1.0);
+            blocks.add_square(nodes, std::array<Vec3, 3>{Vec3::Zero(), r * n, -r * n}, 1.0);
+        }
+        for (const CellStiffness::Triangle& e : K.triangles)
+            blocks.add_square(
+                std::array{node(e.nodes[0]), node(e.nodes[1]), node(e.nodes[2])},
+                std::array{vec3(e.gradient[0]), vec3(e.gradient[1]), vec3(e.gradient[2])},
+                double{e.coefficient});
+        for (const CellStiffness::Hinge& e : K.hinges)
+            blocks.add_square(
+                std::array{node(e.nodes[0]), node(e.nodes[1]), node(e.nodes[2]), node(e.nodes[3])},
+                HingeSlope{vec3(e.by_a), vec3(e.by_b), double{e.foot_a}, double{e.foot_b}}
+                    .gradient(),
+                double{e.coefficient});
         for (const CellStiffness::Node& e : K.nodes)
             blocks.add(node(e.node), node(e.node),
-                       e.coefficient * e.direction * e.direction.transpose());
+                       double{e.coefficient} * vec3(e.direction) * vec3(e.direction).transpose());
     }
     return blocks.take();
 }

@@ -13,6 +13,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using reference::largest;
 
+/// What the elements of a matrix, stored in single precision, leave of an exact solution.
+constexpr double k_single = 1e-7;
+
 class ImplicitSystem : public testing::Test {
   protected:
     static constexpr double dt_s = 0.02;
@@ -52,7 +55,8 @@ TEST_F(ImplicitSystem, IsFrictionPlusTimeStepTimesStiffness) {
     const MatrixXd matrix =
         reference::dense_product(system.velocity_system(dt_s, coefficient), system.workers());
     const MatrixXd twin = dense(coefficient);
-    EXPECT_LE(largest(matrix - twin), 1e-12 * largest(twin));
+    // the elements of pairs and cells are stored in single precision
+    EXPECT_LE(largest(matrix - twin), 2e-7 * largest(twin));
     EXPECT_LE(largest(matrix - matrix.transpose()), 1e-12 * largest(twin));
 }
 
@@ -101,8 +105,8 @@ TEST_F(ImplicitSystem, OfAStepIsSolvedAndAppliedAsWritten) {
     EXPECT_EQ(outcome.dt_s, dt_s);
     EXPECT_EQ(state.time_s, dt_s);
     const VectorXd moved = reference::flat(state.x_um) - reference::flat(cells.x_um);
-    EXPECT_LE((moved - dt_s * v).norm(), 1e-9 * dt_s * v.norm());
-    EXPECT_LE((reference::flat(state.v_um_per_s) - v).norm(), 1e-9 * v.norm());
+    EXPECT_LE((moved - dt_s * v).norm(), k_single * dt_s * v.norm());
+    EXPECT_LE((reference::flat(state.v_um_per_s) - v).norm(), k_single * v.norm());
     const Geometry before = geometry_of(model, cells.x_um, Need::volumes);
     for (std::size_t c = 0; c < 2; ++c) {
         double volume_rate = 0.0;
@@ -136,10 +140,10 @@ TEST_F(ImplicitSystem, OfAnExplicitStepIsTheFrictionMatrixAlone) {
     const StepOutcome outcome = method->advance(system, state, 1e9, false);
     ASSERT_TRUE(outcome.accepted) << outcome.trouble->text();
     const VectorXd moved = reference::flat(state.x_um) - reference::flat(cells.x_um);
-    EXPECT_LE((moved - 1e-4 * v).norm(), 1e-9 * 1e-4 * v.norm());
+    EXPECT_LE((moved - 1e-4 * v).norm(), k_single * 1e-4 * v.norm());
     for (std::size_t c = 0; c < 2; ++c)
         EXPECT_NEAR(state.volume_integral_s[c], integral_s[c] + 1e-4 * strain[c], 1e-15);
-    EXPECT_NEAR(outcome.dissipation_nN_um_per_s, v.dot(gamma * v), 1e-9 * v.dot(gamma * v));
+    EXPECT_NEAR(outcome.dissipation_nN_um_per_s, v.dot(gamma * v), k_single * v.dot(gamma * v));
 }
 
 }  // namespace

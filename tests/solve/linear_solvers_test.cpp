@@ -39,7 +39,7 @@ TEST(CortexFactor, SolvesLikeDenseCholesky) {
         }
         const CortexFactor factor(*mesh, drag, edge_friction);
         std::vector<Vec3> b = random_vectors(drag.size(), 1), x(b.size()), work(b.size());
-        factor.solve(b, x, work);
+        factor.solve<Vec3>(b, x, work);
         const Eigen::LLT<MatrixXd> dense(matrix);
         for (Eigen::Index k = 0; k < 3; ++k) {
             VectorXd right(n_nodes), solution(n_nodes);
@@ -50,7 +50,7 @@ TEST(CortexFactor, SolvesLikeDenseCholesky) {
             // A condition number of some hundreds leaves 13 digits.
             EXPECT_LE((solution - dense.solve(right)).norm(), 1e-12 * solution.norm());
         }
-        factor.solve(b, b, work);
+        factor.solve<Vec3>(b, b, work);
         for (std::size_t i = 0; i < b.size(); ++i) EXPECT_EQ(b[i], x[i]) << "in place";
     }
 }
@@ -105,8 +105,9 @@ TEST_F(CoupledCells, ConjugateGradientsStopAtTheirTolerance) {
         matrix.product(v, product, system.workers());
         const double residual =
             (reference::flat(b) - reference::flat(product)).norm() / reference::flat(b).norm();
-        EXPECT_LE(residual, tolerance * (1.0 + 1e-6));
-        EXPECT_NEAR(outcome.relative_residual, residual, 1e-12);
+        // The last pass knows its residual as well as single precision does.
+        EXPECT_LE(residual, tolerance * (1.0 + 1e-4));
+        EXPECT_NEAR(outcome.relative_residual, residual, 1e-6 * residual + 1e-5 * tolerance);
         EXPECT_GT(outcome.iterations, last_iterations);
         last_iterations = outcome.iterations;
     }

@@ -1,0 +1,19 @@
+#include "engine/forces/hinge_slope.hpp"
+
+#include <cmath>
+
+namespace spheroscope {
+
+HingeSlope hinge_slope(const Vec3& i, const Vec3& j, const Vec3& a, const Vec3& b) {
+    const Vec3 e = j - i;
+    const double length2 = e.squaredNorm();
+    const double length = std::sqrt(length2);
+    const Vec3 m_left = e.cross(a - i);
+    const Vec3 m_right = (b - i).cross(e);
+    // Raising a or b flattens a convex hinge, the faster the nearer it is to the edge; where the
+    // feet of a and b stand on the edge says how i and j share the opposite motion.
+    return {(-length / m_left.squaredNorm()) * m_left, (-length / m_right.squaredNorm()) * m_right,
+            (a - i).dot(e) / length2, (b - i).dot(e) / length2};
+}
+
+}  // namespace spheroscope

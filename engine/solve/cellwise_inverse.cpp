@@ -1,0 +1,128 @@
+#include "engine/solve/cellwise_inverse.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace spheroscope {
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+Vec3 converted(const Vec3& v, const Vec3*) { return v; }
+Lanes converted(const Vec3& v, const Lanes*) { return Lanes(v); }
+
+}  // namespace
+
+template <class Vector>
+void CellwiseInverse<Vector>::prepare(const VelocitySystem& system, Workers& workers) {
+    model_ = &system.model;
+    allocate(system);
+    const bool has_volume = !system.volume_coefficient.empty();
+    denominator_.assign(system.model.radius_um.size(), Scalar{});
+    if (has_volume) inverse_times_gradient_.resize(system.model.n_all_nodes());
+    workers.loop(system.model.n_cells(), [&](int cell) {
+        prepare_cell(system, cell);
+        if (!has_volume) return;
+        const double coefficient = system.volume_coefficient[idx(cell)];
+        if (coefficient == 0.0) return;
+        thread_local std::vector<Vector> gradient;
+        const std::span<const Vec3> s = system.model.cell_nodes(system.volume_gradient, cell);
+        constexpr Vector* as = nullptr;
+        gradient.resize(s.size());
+        std::transform(s.begin(), s.end(), gradient.begin(),
+                       [](const Vec3& v) { return converted(v, as); });
+        const std::span<Vector> w =
+            system.model.cell_nodes(std::span<Vector>(inverse_times_gradient_), cell);
+        apply_base(cell, gradient, w);
+        Scalar sum{};
+        for (std::size_t i = 0; i < w.size(); ++i) sum += gradient[i].dot(w[i]);
+        denominator_[idx(cell)] = static_cast<Scalar>(1.0 / coefficient) + sum;
+    });
+}
+
+template <class Vector> void CellwiseInverse<Vector>::apply(int cell, std::span<const Vector> r,
+                                                            std::span<Vector> z) const {
+    const Scalar denominator = denominator_[idx(cell)];
+    if (denominator == Scalar{}) return apply_base(cell, r, z);
+    const std::span<const Vector> w =
+        model_->cell_nodes(std::span<const Vector>(inverse_times_gradient_), cell);
+    Scalar sum{};  // before r is written over, which z may be
+    for (std::size_t i = 0; i < w.size(); ++i) sum += w[i].dot(r[i]);
+    const Scalar strength = sum / denominator;
+    apply_base(cell, r, z);
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] -= strength * w[i];
+}
+
+void BlockJacobi::allocate(const VelocitySystem& system) {
+    model_ = &system.model;
+    inverse_.resize(system.model.n_all_nodes());
+}
+
+void BlockJacobi::prepare_cell(const VelocitySystem& system, int cell) {
+    const MeshTopology& mesh = *system.model.topology;
+    const std::span<const double> drag = system.model.cell_nodes(system.drag, cell);
+    thread_local std::vector<Mat3> blocks;
+    blocks.resize(drag.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const int degree = mesh.neighbour_begin[i + 1] - mesh.neighbour_begin[i];
+        blocks[i] = (drag[i] + system.edge_friction * degree) * Mat3::Identity();
+    }
+    if (!system.stiffness.empty()) system.stiffness[idx(cell)].add_diagonal(system.dt_s, blocks);
+    if (!system.pairs.empty())
+        system.pairs.add_diagonal(cell, system.contacts, system.dt_s, blocks);
+    const std::span<std::array<Lanes, 3>> out =
+        system.model.cell_nodes(std::span<std::array<Lanes, 3>>(inverse_), cell);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const Mat3 inverse = blocks[i].inverse();
+        out[i] = {Lanes(Vec3(inverse.col(0))), Lanes(Vec3(inverse.col(1))),
+                  Lanes(Vec3(inverse.col(2)))};
+    }
+}
+
+void BlockJacobi::apply_base(int cell, std::span<const Lanes> r, std::span<Lanes> z) const {
+    const std::span<const std::array<Lanes, 3>> inverse =
+        model_->cell_nodes(std::span<const std::array<Lanes, 3>>(inverse_), cell);
+    for (std::size_t i = 0; i < r.size(); ++i) {
+        const Lanes::Register v = r[i].lane;
+        z[i] = v[0] * inverse[i][0] + v[1] * inverse[i][1] + v[2] * inverse[i][2];
+    }
+}
+
+template <class Vector> void CortexInverse<Vector>::allocate(const VelocitySystem& system) {
+    if (!factors_.empty()) return;  // the constant part: once per run
+    const Model& model = system.model;
+    std::map<double, std::size_t> known;
+    for (int cell = 0; cell < model.n_cells(); ++cell) {
+        const auto [it, is_new] = known.try_emplace(model.radius_um[idx(cell)], factors_.size());
+        if (is_new)
+            factors_.push_back(std::make_unique<CortexFactor>(
+                *model.topology, model.cell_nodes(system.drag, cell), system.edge_friction));
+        factor_of_cell_.push_back(it->second);
+    }
+}
+
+template <class Vector> void CortexInverse<Vector>::apply_base(int cell, std::span<const Vector> r,
+                                                               std::span<Vector> z) const {
+    thread_local std::vector<Vector> work;
+    work.resize(r.size());
+    factors_[factor_of_cell_[idx(cell)]]->solve(r, z, std::span<Vector>(work));
+}
+
+template <class Vector> void DragInverse<Vector>::apply_base(int cell, std::span<const Vector> r,
+                                                             std::span<Vector> z) const {
+    using Number = typename VectorTraits<Vector>::Scalar;
+    const std::span<const double> drag = model_->cell_nodes(drag_, cell);
+    for (std::size_t i = 0; i < r.size(); ++i) z[i] = static_cast<Number>(1.0 / drag[i]) * r[i];
+}
+
+template class CellwiseInverse<Vec3>;
+template class CellwiseInverse<Lanes>;
+template class CortexInverse<Vec3>;
+template class CortexInverse<Lanes>;
+template class DragInverse<Vec3>;
+template class DragInverse<Lanes>;
+
+}  // namespace spheroscope
