@@ -58,16 +58,17 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
     };
     // Measures look at a configuration just before a method starts from it; comparing costs a
     // thousandth of evaluating.
-    if (now_.is_valid && (now_.has_stiffness || !wants_stiffness) &&
-        wall_radius_um == now_.wall_radius_um && same_bits(now_.x_um, x_um) &&
-        same_bits(now_.volume_integral_s, volume_integral_s))
+    if (now_.is_valid && wall_radius_um == now_.wall_radius_um && same_bits(now_.x_um, x_um) &&
+        same_bits(now_.volume_integral_s, volume_integral_s)) {
+        if (wants_stiffness && !now_.has_stiffness) evaluate_stiffness();
         return {};
+    }
     if (now_.force_nN.empty()) allocate(now_);  // the first time that another one lies aside
     now_.is_valid = false;
     now_.x_um.assign(x_um.begin(), x_um.end());
     now_.volume_integral_s.assign(volume_integral_s.begin(), volume_integral_s.end());
     now_.wall_radius_um = wall_radius_um;
-    now_.has_stiffness = wants_stiffness;
+    now_.has_stiffness = false;
     if (needs_ != Need::none)
         workers_.loop(model_.n_cells(), [&](int cell) {
             now_.geometry.compute_cell(model_, now_.x_um, needs_, cell);
@@ -75,34 +76,43 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
     if (search_) {
         search_->find(model_, now_.x_um, now_.geometry, workers_, now_.contacts);
         ++work_.contact_searches;
-        if (parts_.frictions.contact || now_.has_stiffness)
-            now_.pairs.build(model_, now_.contacts, parts_.frictions.contact,
-                             now_.has_stiffness ? parts_.contact->k_kPa_per_um : 0.0, workers_);
-        else
-            now_.pairs.clear();
+        now_.pairs.clear();
+        if (parts_.frictions.contact && !wants_stiffness)
+            now_.pairs.build(model_, now_.contacts, parts_.frictions.contact, 0.0, workers_);
     }
-    if (now_.has_stiffness) now_.stiffness.resize(model_.radius_um.size());
     const Configuration at = configuration();
     workers_.loop(model_.n_cells(), [&](int cell) {
         const std::span<Vec3> F = model_.cell_nodes(std::span<Vec3>(now_.force_nN), cell);
         std::fill(F.begin(), F.end(), Vec3::Zero());
-        if (now_.has_stiffness) now_.stiffness[idx(cell)].clear();
-        for (const auto& term : parts_.terms) {
-            if (!acts(*term)) continue;
-            term->add_force(at, cell, F);
-            if (now_.has_stiffness) term->add_stiffness(at, cell, now_.stiffness[idx(cell)]);
-        }
+        for (const auto& term : parts_.terms)
+            if (acts(*term)) term->add_force(at, cell, F);
         cell_is_finite_[idx(cell)] =
             std::all_of(F.begin(), F.end(), [](const Vec3& f) { return f.allFinite(); }) ? 1 : 0;
     });
     ++work_.force_evaluations;
-    if (now_.has_stiffness) ++work_.stiffness_evaluations;
     for (std::size_t t = 0; t < parts_.terms.size(); ++t)
         if (acts(*parts_.terms[t])) ++work_.terms[t].evaluations;
     if (std::find(cell_is_finite_.begin(), cell_is_finite_.end(), 0) != cell_is_finite_.end())
         return find_trouble();
     now_.is_valid = true;
+    if (wants_stiffness) evaluate_stiffness();
     return {};
+}
+
+void System::evaluate_stiffness() {
+    if (search_)
+        now_.pairs.build(model_, now_.contacts, parts_.frictions.contact,
+                         parts_.contact->k_kPa_per_um, workers_);
+    now_.stiffness.resize(model_.radius_um.size());
+    const Configuration at = configuration();
+    workers_.loop(model_.n_cells(), [&](int cell) {
+        CellStiffness& K = now_.stiffness[idx(cell)];
+        K.clear();
+        for (const auto& term : parts_.terms)
+            if (acts(*term)) term->add_stiffness(at, cell, K);
+    });
+    now_.has_stiffness = true;
+    ++work_.stiffness_evaluations;
 }
 
 std::optional<Trouble> System::find_trouble() {

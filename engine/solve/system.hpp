@@ -110,6 +110,8 @@ class System {
 
     void allocate(Evaluation& evaluation) const;
     [[nodiscard]] std::optional<Trouble> find_trouble();
+    /// K of the forces that have been evaluated: a step may follow on a look at the measures.
+    void evaluate_stiffness();
     [[nodiscard]] bool acts(const ForceTerm& term) const {
         return &term != parts_.wall || now_.wall_radius_um > 0.0;
     }
