@@ -27,10 +27,11 @@ void Bending::add_force(const Configuration& at, int cell, std::span<Vec3> F_nN)
     const CellView view(at, cell);
     for (std::size_t n = 0; n < view.mesh.edges.size(); ++n) {
         const MeshTopology::Edge& e = view.mesh.edges[n];
-        const Vec3 &i = view.x(e.i), &j = view.x(e.j), &a = view.x(e.a), &b = view.x(e.b);
-        const double turn = hinge_angle(i, j, a, b) - view.model.rest_hinge_angle_rad[n];
-        const double moment = k_fJ_ * std::sin(turn);  // dU/dtheta, eqn (9)
-        const std::array<Vec3, 4> g = hinge_slope(i, j, a, b).gradient();
+        const Hinge hinge(view.x(e.i), view.x(e.j), view.x(e.a), view.x(e.b));
+        const double moment =  // dU/dtheta = k sin(theta - theta*), eqn (9)
+            k_fJ_ *
+            hinge.sine_of_turn(view.model.rest_hinge_cosine[n], view.model.rest_hinge_sine[n]);
+        const std::array<Vec3, 4> g = hinge.slope.gradient();
         at_node(F_nN, e.i) -= moment * g[0];
         at_node(F_nN, e.j) -= moment * g[1];
         at_node(F_nN, e.a) -= moment * g[2];
@@ -54,12 +55,12 @@ void Bending::add_stiffness(const Configuration& at, int cell, CellStiffness& K)
     const CellView view(at, cell);
     for (std::size_t n = 0; n < view.mesh.edges.size(); ++n) {
         const MeshTopology::Edge& e = view.mesh.edges[n];
-        const Vec3 &i = view.x(e.i), &j = view.x(e.j), &a = view.x(e.a), &b = view.x(e.b);
-        const double turn = hinge_angle(i, j, a, b) - view.model.rest_hinge_angle_rad[n];
-        const double curvature = k_fJ_ * std::cos(turn);  // d2U/dtheta2
+        const Hinge hinge(view.x(e.i), view.x(e.j), view.x(e.a), view.x(e.b));
+        const double curvature =  // d2U/dtheta2
+            k_fJ_ *
+            hinge.cosine_of_turn(view.model.rest_hinge_cosine[n], view.model.rest_hinge_sine[n]);
         if (curvature > 0.0)
-            K.hinges.emplace_back(std::array{e.i, e.j, e.a, e.b}, hinge_slope(i, j, a, b),
-                                  curvature);
+            K.hinges.emplace_back(std::array{e.i, e.j, e.a, e.b}, hinge.slope, curvature);
     }
 }
 

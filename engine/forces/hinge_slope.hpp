@@ -22,4 +22,21 @@ struct HingeSlope {
 /// Precondition: neither triangle has zero area.
 [[nodiscard]] HingeSlope hinge_slope(const Vec3& i, const Vec3& j, const Vec3& a, const Vec3& b);
 
+/// A hinge as a force reads it: its angle theta by cosine and sine, without an inverse function,
+/// and the slope of theta. Precondition: neither triangle has zero area.
+struct Hinge {
+    double cosine, sine;
+    HingeSlope slope;
+
+    Hinge(const Vec3& i, const Vec3& j, const Vec3& a, const Vec3& b);
+
+    /// Of theta - theta*.
+    [[nodiscard]] double cosine_of_turn(double rest_cosine, double rest_sine) const {
+        return cosine * rest_cosine + sine * rest_sine;
+    }
+    [[nodiscard]] double sine_of_turn(double rest_cosine, double rest_sine) const {
+        return sine * rest_cosine - cosine * rest_sine;
+    }
+};
+
 }  // namespace spheroscope

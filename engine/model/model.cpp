@@ -38,7 +38,10 @@ Model make_model(std::shared_ptr<const MeshTopology> topology, std::vector<doubl
     }
     for (const MeshTopology::Edge& e : mesh.edges) {
         model.unit_edge_length.push_back((at(e.j) - at(e.i)).norm());
-        model.rest_hinge_angle_rad.push_back(hinge_angle(at(e.i), at(e.j), at(e.a), at(e.b)));
+        const double theta_rad = hinge_angle(at(e.i), at(e.j), at(e.a), at(e.b));
+        model.rest_hinge_angle_rad.push_back(theta_rad);
+        model.rest_hinge_cosine.push_back(std::cos(theta_rad));
+        model.rest_hinge_sine.push_back(std::sin(theta_rad));
     }
     for (int cell = 0; cell < model.n_cells(); ++cell)
         model.target_volume_um3.push_back((1.0 + target_strain) * model.rest_volume_um3(cell));

@@ -24,6 +24,8 @@ struct Model {
     std::vector<double> unit_triangle_area;    ///< [n_triangles] S*
     std::vector<double> unit_node_area;        ///< [n_nodes] a third of the adjacent S*
     std::vector<double> rest_hinge_angle_rad;  ///< [n_edges] theta*
+    std::vector<double> rest_hinge_cosine;     ///< [n_edges] cos theta*
+    std::vector<double> rest_hinge_sine;       ///< [n_edges] sin theta*
     double unit_area = 0.0;                    ///< sum of S*
 
     [[nodiscard]] int n_cells() const { return static_cast<int>(radius_um.size()); }
