@@ -28,6 +28,7 @@ enum class RandomStream : std::uint32_t {
     bead_noise = 3,
     probe = 4,
     orientation = 5,
+    fastest_mode = 6,
 };
 
 }  // namespace spheroscope

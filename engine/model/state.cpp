@@ -33,7 +33,7 @@ std::uint64_t State::hash() const {
     for (const double value : {wall.radius_um, wall.speed_um_per_s, wall.time_s}) fnv.add(value);
     fnv.add(v_um_per_s);
     fnv.add(std::uint64_t{has_velocity ? 1U : 0U});
-    fnv.add(next_dt_s);
+    for (const double value : {next_dt_s, fastest_rate_per_s, rate_time_s}) fnv.add(value);
     return fnv.value();
 }
 

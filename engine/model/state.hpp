@@ -28,9 +28,11 @@ struct State {
     std::vector<double> volume_integral_s;  ///< [cells] I of (13); an unknown, I' = eps
     Wall wall;
     // What the method carries from step to step: start of the solver, error estimate, step size.
-    std::vector<Vec3> v_um_per_s;  ///< [all nodes] of the last accepted step
-    bool has_velocity = false;     ///< false at the start and after every change of stage
-    double next_dt_s = 0.0;        ///< 0: let the method choose
+    std::vector<Vec3> v_um_per_s;     ///< [all nodes] of the last accepted step
+    bool has_velocity = false;        ///< false at the start and after every change of stage
+    double next_dt_s = 0.0;           ///< 0: let the method choose
+    double fastest_rate_per_s = 0.0;  ///< of an explicit method: what bounds its stable step
+    double rate_time_s = 0.0;         ///< when that was estimated
 
     /// FNV-1a over the bits of all of it: equal hashes mean equal bits.
     [[nodiscard]] std::uint64_t hash() const;

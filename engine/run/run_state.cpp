@@ -41,7 +41,8 @@ CheckpointData save(const RunState& run) {
     f["v_um_per_s"] = flat(s.v_um_per_s);
     f["volume_integral_s"] = s.volume_integral_s;
     f["radius_um"] = run.radius_um;
-    f["state"] = {s.time_s, s.next_dt_s, s.wall.radius_um, s.wall.speed_um_per_s, s.wall.time_s};
+    f["state"] = {s.time_s,      s.next_dt_s,          s.wall.radius_um, s.wall.speed_um_per_s,
+                  s.wall.time_s, s.fastest_rate_per_s, s.rate_time_s};
     f["stage_memory"] = {run.memory.start_s, run.memory.touching_wall_um};
     f["stage_samples"] = run.memory.samples;
     f["power_balance"] = {run.energy_fJ, run.dissipated_fJ, run.driven_fJ,
@@ -76,10 +77,12 @@ RunState load_run_state(const CheckpointData& data) {
     s.v_um_per_s = unflat(find(f, "v_um_per_s", 3));
     s.volume_integral_s = find(f, "volume_integral_s", 1);
     run.radius_um = find(f, "radius_um", 1);
-    const auto& state = find(f, "state", 5);
+    const auto& state = find(f, "state", 7);
     s.time_s = state[0];
     s.next_dt_s = state[1];
     s.wall = {state[2], state[3], state[4]};
+    s.fastest_rate_per_s = state[5];
+    s.rate_time_s = state[6];
     const auto& memory = find(f, "stage_memory", 2);
     run.memory.start_s = memory[0];
     run.memory.touching_wall_um = memory[1];

@@ -17,6 +17,7 @@ constexpr std::array<std::string_view, 1> k_laws{"traction"};
 constexpr std::array<std::string_view, 5> k_readings{"printed", "text", "two_sided", "per_cell",
                                                      "work_of_adhesion"};
 constexpr std::array<std::string_view, 5> k_stages{"anneal", "compact", "hold", "release", "relax"};
+constexpr std::array<std::string_view, 3> k_stable_steps{"refuse", "follow", "ignore"};
 constexpr std::array<std::string_view, 3> k_untils{"duration", "rest", "stationary"};
 constexpr std::array<std::string_view, 3> k_ranges{"run", "frame", "given"};
 
@@ -78,6 +79,9 @@ constexpr Applies with_pid{[](const Draft& d, std::size_t) {
                                return d.scene.cytosol->controller == VolumeController::pid;
                            },
                            "with controller = \"pid\""};
+constexpr Applies with_forward_euler{
+    [](const Draft& d, std::size_t) { return d.scene.method.name == "forward_euler"; },
+    "with name = \"forward_euler\""};
 constexpr Applies with_adhesion{
     [](const Draft& d, std::size_t) { return d.given("contact.adhesion"); },
     "with [contact.adhesion]"};
@@ -331,6 +335,11 @@ const auto& keys() {
         Key{"method", "linear_tolerance", reach<&S::method, &Method::linear_tolerance>(), number,
             fraction, {}, {}, "1e-3", k_ours,
             "Relative residual at which the linear solver stops."},
+        Key{"method", "stable_step", choose<&S::method, &Method::stable_step>(k_stable_steps),
+            number, {}, {}, with_forward_euler, "", k_ours,
+            "What is done with the largest stable step, which is estimated five times per second: "
+            "a larger dt ends the run; steps are 0.8 of it, at most dt_max, whatever dt is; "
+            "nothing, to see what happens."},
 
         Key{"stage", "kind", choose<&S::stages, &Stage::kind>(k_stages), number, {}, required, {},
             "", "Cuvelier et al. 2021, Appendix E",

@@ -116,6 +116,8 @@ struct BodyForce {
     bool opposed = false;  ///< cell 0 gets +force, cell 1 gets -force
 };
 
+enum class StableStep { refuse, follow, ignore };
+
 struct Method {
     Loc loc;
     std::string name = "linearly_implicit";  ///< a row of the methods table
@@ -126,6 +128,7 @@ struct Method {
     double tolerance_um = 0.006;         ///< local error per step; 0: fixed steps of dt
     double displacement_bound_h0 = 0.5;  ///< largest node displacement per step over h0 (contacts)
     double linear_tolerance = 1e-3;
+    StableStep stable_step = StableStep::refuse;  ///< forward_euler
 };
 
 enum class StageKind { anneal, compact, hold, release, relax };

@@ -1,5 +1,15 @@
+// The paper's method: x += dt Gamma^-1 F with a fixed step. Only the derivative part of the volume
+// controller is implicit, as a part of Gamma: explicit, it grows without bound at any step.
+//
+// It is stable up to dt = 2/rate, rate the fastest decay of the linearised motion
+// (fastest_mode.hpp). Above, the nodes of a contact do not diverge: they bounce the cells apart,
+// with finite numbers and no contact left to see. So the rate is estimated now and then, and a step
+// that is too large ends the run, or is made smaller, as method.stable_step says.
+
 #include "engine/solve/forward_euler.hpp"
 
+#include "engine/solve/explicit_bound.hpp"
+#include "engine/solve/implicit_volume.hpp"
 #include "engine/solve/step_common.hpp"
 
 #include <algorithm>
@@ -10,8 +20,12 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-/// The paper's method: x += dt Gamma^-1 F with a fixed step. Only the derivative part of the volume
-/// controller is implicit, as a part of Gamma: explicit, it grows without bound at any step.
+/// The rate is estimated from below, to one or two percent.
+constexpr double k_largest_dt_times_rate = 0.95 * 2.0;
+/// Of the step that follows the estimate: the fastest mode still falls by half in every step, and
+/// the rate may grow by a quarter before it is estimated again.
+constexpr double k_followed_dt_times_rate = 0.8 * 2.0;
+
 class ForwardEuler final : public Method {
   public:
     explicit ForwardEuler(const MethodParameters& parameters) : parameters_(parameters) {}
@@ -20,21 +34,53 @@ class ForwardEuler final : public Method {
                         bool freeze_volume_integral) override;
 
   private:
+    /// A node that moves half an edge in one step has left its neighbourhood.
+    [[nodiscard]] std::optional<Trouble> find_jump(const Model& model, double dt_s) const;
+
     MethodParameters parameters_;
+    ExplicitBound bound_;
     std::vector<Vec3> v_;
+    std::vector<double> strain_;
 };
+
+std::optional<Trouble> ForwardEuler::find_jump(const Model& model, double dt_s) const {
+    for (int cell = 0; cell < model.n_cells(); ++cell) {
+        const double half_edge_um = 0.5 * model.unit_edge_length[0] * model.radius_um[idx(cell)];
+        const std::span<const Vec3> v = model.cell_nodes(std::span<const Vec3>(v_), cell);
+        for (std::size_t i = 0; i < v.size(); ++i)
+            if (!(dt_s * v[i].norm() <= half_edge_um))
+                return Trouble{"unstable: a node moves more than half an edge in one step"
+                               " (a smaller method.dt, or linearly_implicit, would hold)",
+                               "", cell, static_cast<int>(i), parameters_.loc};
+    }
+    return {};
+}
 
 StepOutcome ForwardEuler::advance(System& system, State& state, double limit_s,
                                   bool freeze_volume_integral) {
     StepOutcome outcome;
     const Model& model = system.model();
-    const double end_s = step_end_s(state.time_s, parameters_.dt_s, limit_s);
-    outcome.dt_s = end_s - state.time_s;
+    const bool follows = parameters_.stable_step == StableStep::follow;
+    const bool estimates =
+        parameters_.stable_step != StableStep::ignore && ExplicitBound::is_due(state);
     const double wall_um = state.wall.acts() ? state.wall.radius_at(state.time_s) : 0.0;
     outcome.trouble =
-        system.evaluate(state.x_um, state.volume_integral_s, wall_um, System::Detail::forces);
+        system.evaluate(state.x_um, state.volume_integral_s, wall_um,
+                        estimates ? System::Detail::forces_and_stiffness : System::Detail::forces);
     if (outcome.trouble) return outcome;
     describe_forces(system, outcome);
+
+    const double rate_per_s = estimates ? bound_.estimate_per_s(system) : state.fastest_rate_per_s;
+    const double wanted_s =
+        follows ? std::min(k_followed_dt_times_rate / rate_per_s, parameters_.dt_max_s)
+                : parameters_.dt_s;
+    const double end_s = step_end_s(state.time_s, wanted_s, limit_s);
+    outcome.dt_s = end_s - state.time_s;
+    if (estimates && !(outcome.dt_s * rate_per_s <= k_largest_dt_times_rate)) {
+        outcome.trouble = bound_.too_large(system, outcome.dt_s,
+                                           k_largest_dt_times_rate / rate_per_s, parameters_.loc);
+        return outcome;
+    }
 
     v_.assign(state.v_um_per_s.begin(), state.v_um_per_s.end());
     const SolveOutcome solve =
@@ -47,27 +93,19 @@ StepOutcome ForwardEuler::advance(System& system, State& state, double limit_s,
     }
     outcome.largest_displacement_um = outcome.dt_s * largest_speed_um_per_s(v_);
     outcome.error_um = change_of_velocity_error_um(model, state, v_, outcome.dt_s);
-    // A node that moves half an edge in one step has left its neighbourhood: the step is too large
-    // for the stiffest mode. Going on would bounce the cells apart with finite numbers.
-    for (int cell = 0; cell < model.n_cells(); ++cell) {
-        const double half_edge_um = 0.5 * model.unit_edge_length[0] * model.radius_um[idx(cell)];
-        const std::span<const Vec3> v = model.cell_nodes(std::span<const Vec3>(v_), cell);
-        for (std::size_t i = 0; i < v.size(); ++i)
-            if (!(outcome.dt_s * v[i].norm() <= half_edge_um)) {
-                outcome.trouble =
-                    Trouble{"unstable: a node moves more than half an edge in one step"
-                            " (a smaller method.dt, or linearly_implicit, would hold)",
-                            "", cell, static_cast<int>(i), parameters_.loc};
-                return outcome;
-            }
-    }
+    outcome.trouble = find_jump(model, outcome.dt_s);
+    if (outcome.trouble) return outcome;
     describe_powers(system, state, freeze_volume_integral, v_, outcome);
 
-    if (system.parts().cytosol != nullptr && !freeze_volume_integral) {
-        const Configuration at = system.configuration();
-        for (int cell = 0; cell < model.n_cells(); ++cell)
-            state.volume_integral_s[idx(cell)] +=
-                outcome.dt_s * system.parts().cytosol->volume_strain(at, cell);
+    if (!freeze_volume_integral) {
+        strain_.resize(state.volume_integral_s.size());
+        volume_strains(system, strain_);
+        for (std::size_t cell = 0; cell < strain_.size(); ++cell)
+            state.volume_integral_s[cell] += outcome.dt_s * strain_[cell];
+    }
+    if (estimates) {
+        state.fastest_rate_per_s = rate_per_s;
+        state.rate_time_s = state.time_s;
     }
     finish_step(state, v_, end_s);
     outcome.accepted = true;

@@ -27,6 +27,13 @@ struct [[nodiscard]] StepOutcome {
     std::optional<Trouble> trouble;  ///< if not accepted
 };
 
+/// What forward_euler does with the largest stable step that it estimates.
+enum class StableStep {
+    refuse,  ///< a larger step ends the run
+    follow,  ///< the step is a fraction of it, at most dt_max
+    ignore,  ///< no estimate: for those who want to see what happens
+};
+
 struct MethodParameters {
     double dt_s = 0.0;  ///< fixed step, or the first step of an adaptive method
     double dt_max_s = 1.0;
@@ -34,6 +41,7 @@ struct MethodParameters {
     double tolerance_um = 0.0;            ///< local error per step; 0: fixed steps
     double displacement_bound_um = 0.15;  ///< largest displacement of a node per step
     double linear_tolerance = 1e-3;
+    StableStep stable_step = StableStep::refuse;
     Loc loc;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/solve/forward_euler.hpp"
 #include "engine/solve/linearly_implicit.hpp"
 #include "engine/solve/method.hpp"
+#include "engine/solve/rkc.hpp"
 #include "engine/solve/rosenbrock_w.hpp"
 
 #include <array>
@@ -9,13 +10,16 @@ namespace spheroscope {
 
 std::span<const MethodRow> all_methods() {
     // Columns: name, order, adaptive, stages, needs stiffness, holds exact volume.
-    static constexpr std::array<MethodRow, 3> rows{{
+    static constexpr std::array<MethodRow, 4> rows{{
         {"forward_euler", 1, false, 1, false, false, "the paper's method: explicit, fixed step",
          make_forward_euler},
         {"linearly_implicit", 1, true, 1, true, false,
          "(Gamma + dt K) v = F with an adaptive step: the work-horse", make_linearly_implicit},
         {"rosenbrock_w", 2, true, 2, true, false,
          "two linearly implicit stages, second order, for accuracy in time", make_rosenbrock_w},
+        {"rkc", 2, true, 0, false, false,
+         "explicit Runge-Kutta-Chebyshev, second order, as many stages as stability asks for",
+         make_rkc},
     }};
     return rows;
 }

@@ -83,6 +83,12 @@ double change_of_velocity_error_um(const Model& model, const State& state,
 void finish_step(State& state, std::vector<Vec3>& v_um_per_s, double end_s) {
     const double dt_s = end_s - state.time_s;
     for (std::size_t i = 0; i < v_um_per_s.size(); ++i) state.x_um[i] += dt_s * v_um_per_s[i];
+    finish_step_at(state, state.x_um, v_um_per_s, end_s);
+}
+
+void finish_step_at(State& state, std::vector<Vec3>& x_um, std::vector<Vec3>& v_um_per_s,
+                    double end_s) {
+    if (&x_um != &state.x_um) std::swap(state.x_um, x_um);
     std::swap(state.v_um_per_s, v_um_per_s);
     state.has_velocity = true;
     if (state.wall.acts()) {

@@ -29,6 +29,10 @@ void describe_powers(System& system, const State& state, bool freeze_volume_inte
 /// Moves the nodes by dt v, and time and wall to end_s. v is exchanged with the state's own.
 void finish_step(State& state, std::vector<Vec3>& v_um_per_s, double end_s);
 
+/// The same with the positions at end_s given. Both are exchanged with the state's own.
+void finish_step_at(State& state, std::vector<Vec3>& x_um, std::vector<Vec3>& v_um_per_s,
+                    double end_s);
+
 /// End of a step that starts at time_s, wants dt_s and must not pass limit_s: lands exactly on the
 /// limit, and never leaves a remainder that is too small to be a step.
 [[nodiscard]] double step_end_s(double time_s, double dt_s, double limit_s);

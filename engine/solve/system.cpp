@@ -19,7 +19,10 @@ std::string Trouble::text() const {
     if (!term.empty()) text += " from " + term;
     if (loc.line > 0) text += " (" + loc.text() + ")";
     if (cell >= 0) text += ", cell " + std::to_string(cell);
-    if (node >= 0) text += ", node " + std::to_string(node);
+    if (neighbour >= 0)
+        text += ", edge " + std::to_string(node) + "-" + std::to_string(neighbour);
+    else if (node >= 0)
+        text += ", node " + std::to_string(node);
     return text;
 }
 

@@ -32,6 +32,7 @@ struct Trouble {
     int cell = -1;
     int node = -1;
     Loc loc;
+    int neighbour = -1;  ///< the other node, if it is an edge
     [[nodiscard]] std::string text() const;
 };
 

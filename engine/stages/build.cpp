@@ -207,6 +207,11 @@ MethodParameters method_parameters(const scene::Scene& scene) {
     p.displacement_bound_um = scene.contact ? m.displacement_bound_h0 * scene.contact->h0_um
                                             : std::numeric_limits<double>::infinity();
     p.linear_tolerance = m.linear_tolerance;
+    switch (m.stable_step) {
+    case scene::StableStep::refuse: p.stable_step = StableStep::refuse; break;
+    case scene::StableStep::follow: p.stable_step = StableStep::follow; break;
+    case scene::StableStep::ignore: p.stable_step = StableStep::ignore; break;
+    }
     p.loc = m.loc;
     return p;
 }

@@ -136,10 +136,10 @@ TEST(ResumedEngine, ContinuesToTheBitFromStopsInEveryStage) {
 TEST(ResumedEngine, ContinuesToTheBitWithThePapersMethod) {
     const scene::Scene scene = scene::parse_scene(
         k_scene, "scene.toml",
-        {{"method.name", "forward_euler"}, {"method.dt", "0.001 s"}, {"stage[4].cap", "0.1 s"}});
+        {{"method.name", "forward_euler"}, {"method.dt", "0.0005 s"}, {"stage[4].cap", "0.1 s"}});
     const Record whole = run_scene(scene, 0);
     ASSERT_EQ(whole.result.verdict, RunVerdict::cap) << whole.result.message;
-    const Record stopped = run_scene(scene, 23);
+    const Record stopped = run_scene(scene, 46);
     EXPECT_GE(stopped.stops_in_stage.size(), 4U);
     expect_same(stopped, whole);
 }

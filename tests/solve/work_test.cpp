@@ -15,6 +15,7 @@ MethodParameters fixed_steps() {
     MethodParameters p;
     p.dt_s = k_dt_s;
     p.linear_tolerance = 1e-8;
+    p.stable_step = StableStep::ignore;  // what the estimate costs is a test of its own
     return p;
 }
 
@@ -100,6 +101,24 @@ TEST(Work, WithContactFrictionIsOneIterativeSolvePerStep) {
     EXPECT_GE(work.linear_iterations, k_steps);
     EXPECT_EQ(work.direct_solves, 0);
     EXPECT_EQ(work.factorisations, 1) << "the preconditioner";
+}
+
+TEST(Work, OfTheStableStepIsOneStiffnessAndAFewSolvesInAFifthOfASecond) {
+    PartValues values = drop_values();
+    values.eta_kPa_s = 1.0;
+    const Cluster cell = lone_cell();
+    System system(cell.model, make_parts(values), 2);
+    State state = state_at(cell.model, cell.x_um);
+    MethodParameters parameters = fixed_steps();
+    parameters.stable_step = StableStep::refuse;
+    const auto method = find_method("forward_euler")->make(parameters);
+    constexpr int n_steps = 390;  // 0.39 s: at the start and after 0.2 s
+    for (int step = 0; step < n_steps; ++step)
+        ASSERT_TRUE(method->advance(system, state, 1e9, false).accepted);
+    EXPECT_EQ(system.work().force_evaluations, n_steps);
+    EXPECT_EQ(system.work().stiffness_evaluations, 2);
+    EXPECT_GE(system.work().direct_solves, n_steps + 2 * 7);
+    EXPECT_LE(system.work().direct_solves, n_steps + 2 * 20);
 }
 
 TEST(Work, OfTheImplicitMethodIsOneStiffnessAndOneSolvePerStep) {
