@@ -41,7 +41,6 @@ nlohmann::json work_json(const Work& work) {
             {"force_evaluations", work.force_evaluations},
             {"stiffness_evaluations", work.stiffness_evaluations},
             {"contact_searches", work.contact_searches},
-            {"contact_list_builds", work.contact_list_builds},
             {"contact_candidates", work.contact_candidates},
             {"contact_pairs", work.contact_pairs},
             {"contact_too_deep", work.contact_too_deep},

@@ -3,6 +3,8 @@
 #include "engine/base/workers.hpp"
 #include "engine/contact/contact_law.hpp"
 #include "engine/contact/contacts.hpp"
+#include "engine/contact/packed_triangles.hpp"
+#include "engine/contact/pair_kernel.hpp"
 #include "engine/model/geometry.hpp"
 #include "engine/model/model.hpp"
 
@@ -12,23 +14,28 @@
 
 namespace spheroscope {
 
+/// Largest distance, outside or inside each other, of two surfaces that make a contact, um.
+[[nodiscard]] double contact_reach_um(const ContactLaw& law);
+
 /// Finds all contacts of a configuration.
 ///
-///   boxes of cells -> pairs of cells -> candidate pairs of triangles -> contact_of_triangles ->
-///   Contacts
-///                     (lists, rebuilt when a node has moved half the skin)     (every evaluation)
+///   boxes of cells -> pairs of cells -> SIMD kernel (pair_kernel.hpp) -> Contacts
 ///
-/// The lists only save time: a pair that is left out cannot overlap before the next rebuild, and
-/// pairs are evaluated and stored in one canonical order. So the contacts, to the bit, depend on
-/// the configuration alone: not on the age of the lists, and not on the number of threads.
+/// Nothing is kept from one configuration to the next but memory, and pairs are found and stored
+/// in one canonical order. So the contacts, to the bit, depend on the configuration, the precision
+/// and the SIMD target alone, and not on the number of threads.
+///
+/// Tried: lists of candidates with a skin, rebuilt when a node has moved half of it. Steps of the
+/// implicit methods move nodes that far nearly every time, and a rebuild cost more than finding the
+/// contacts; the lists took 8 bytes for each of 4 candidates per contact pair.
 class ContactSearch {
   public:
-    ContactSearch(const ContactLaw& law, double skin_um) : law_(law), skin_um_(skin_um) {}
+    ContactSearch(const ContactLaw& law, ContactPrecision precision)
+        : law_(law), precision_(precision) {}
 
     /// Counts since construction; a part of the run's report.
     struct Counts {
-        std::int64_t list_builds = 0;
-        std::int64_t candidates = 0;  ///< candidate pairs evaluated
+        std::int64_t candidates = 0;  ///< pairs of triangles that were clipped
         std::int64_t active_pairs = 0;
         std::int64_t too_deep = 0;  ///< left out as passed-through surfaces
     };
@@ -38,39 +45,29 @@ class ContactSearch {
               Workers& workers, Contacts& contacts);
 
     [[nodiscard]] const ContactLaw& law() const { return law_; }
+    [[nodiscard]] ContactPrecision precision() const { return precision_; }
     [[nodiscard]] const Counts& counts() const { return counts_; }
 
   private:
-    struct Candidate {
-        int triangle_a, triangle_b;
-    };
-    struct CandidateGroup {
-        int cell_a = 0, cell_b = 0;
-        std::vector<Candidate> candidates;
-        std::vector<ContactPair> active;
-        std::int64_t too_deep = 0;
+    struct CellPair {
+        int cell_a, cell_b;
+        KernelCounts counts;
     };
 
-    [[nodiscard]] bool lists_are_valid(const Model& model, std::span<const Vec3> x_um) const;
-    void build_lists(const Model& model, std::span<const Vec3> x_um, const Geometry& geometry,
-                     Workers& workers);
-    void collect_candidates(const Model& model, const Geometry& geometry,
-                            CandidateGroup& group) const;
-    void evaluate(const Model& model, std::span<const Vec3> x_um, const Geometry& geometry,
-                  CandidateGroup& group) const;
-    /// Largest distance, outside or inside each other, of two surfaces that make a contact, um.
-    [[nodiscard]] double reach_um() const;
-
-    struct Box {
-        Vec3 low, high;
-    };
+    void find_cell_pairs(const Model& model, std::span<const Vec3> x_um, Workers& workers);
+    /// One group for each pair of cells; a pair that was there before keeps its memory.
+    void set_groups(Contacts& contacts);
+    template <class T> void fill_groups(const Model& model, std::span<const Vec3> x_um,
+                                        const Geometry& geometry, Workers& workers,
+                                        PackedTriangles<T>& triangles, Contacts& contacts);
 
     ContactLaw law_;
-    double skin_um_;
-    std::vector<Vec3> listed_x_um_;  // positions at the last build
-    std::vector<Box> boxes_;         // of cells, at the last build
-    std::vector<CandidateGroup> groups_;
-    std::size_t n_groups_ = 0;  // groups in use; the others keep their memory
+    ContactPrecision precision_;
+    std::vector<CellBox> boxes_;
+    std::vector<CellPair> cell_pairs_;
+    PackedTriangles<float> single_;  // one of the two is used
+    PackedTriangles<double> double_;
+    std::vector<Contacts::Group> old_groups_;
     Counts counts_;
 };
 

@@ -33,7 +33,7 @@ System::System(Model model, SystemParts parts, int n_threads, Need also)
         work_.terms.push_back({std::string(term->name()), 0});
     }
     if (parts_.contact) {
-        search_.emplace(*parts_.contact, parts_.contact_skin_um);
+        search_.emplace(*parts_.contact, parts_.contact_precision);
         needs_ = needs_ | Need::contacts | Need::triangles;
     }
     allocate(now_);
@@ -236,7 +236,6 @@ SolveOutcome System::solve_implicit(double dt_s, std::span<const double> volume_
 Work System::work() const {
     Work work = work_;
     if (search_) {
-        work.contact_list_builds = search_->counts().list_builds;
         work.contact_candidates = search_->counts().candidates;
         work.contact_pairs = search_->counts().active_pairs;
         work.contact_too_deep = search_->counts().too_deep;

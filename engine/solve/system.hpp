@@ -21,7 +21,7 @@ struct SystemParts {
     const CytosolPressure* cytosol = nullptr;  ///< one of `terms`
     Frictions frictions;
     std::optional<ContactLaw> contact;
-    double contact_skin_um = 0.3;  ///< of the candidate lists; results do not depend on it
+    ContactPrecision contact_precision = ContactPrecision::double_precision;
 };
 
 /// Something went wrong in the numbers; says where, for a message that names term, cell and scene

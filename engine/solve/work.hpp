@@ -18,8 +18,7 @@ struct Work {
     std::int64_t force_evaluations = 0;
     std::int64_t stiffness_evaluations = 0;
     std::int64_t contact_searches = 0;
-    std::int64_t contact_list_builds = 0;
-    std::int64_t contact_candidates = 0;
+    std::int64_t contact_candidates = 0;  ///< pairs of triangles that were clipped
     std::int64_t contact_pairs = 0;
     std::int64_t contact_too_deep = 0;
     std::int64_t linear_solves = 0;  ///< iterative

@@ -50,7 +50,6 @@ TEST(Work, OfALoneDropIsForcesAndADivision) {
     EXPECT_EQ(work.evaluations("cortex.elastic"), 0);
     EXPECT_EQ(work.stiffness_evaluations, 0);
     EXPECT_EQ(work.contact_searches, 0);
-    EXPECT_EQ(work.contact_list_builds, 0);
     EXPECT_EQ(work.contact_candidates, 0);
     EXPECT_EQ(work.linear_solves, 0);
     EXPECT_EQ(work.linear_iterations, 0);
