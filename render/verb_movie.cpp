@@ -159,9 +159,10 @@ cli::Verb movie_verb() {
                                  "simulate anew, also where a run is");
                 cli::add_common_options(command, arguments->common,
                                         {CommonOption::output, CommonOption::threads,
-                                         CommonOption::seed, CommonOption::set, CommonOption::json,
-                                         CommonOption::quiet, CommonOption::resume,
-                                         CommonOption::time_limit, CommonOption::checkpoint_every});
+                                         CommonOption::simd, CommonOption::seed, CommonOption::set,
+                                         CommonOption::json, CommonOption::quiet,
+                                         CommonOption::resume, CommonOption::time_limit,
+                                         CommonOption::checkpoint_every});
                 return [arguments](const cli::Invocation& invocation) {
                     return movie(*arguments, invocation);
                 };

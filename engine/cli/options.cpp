@@ -1,5 +1,6 @@
 #include "engine/cli/options.hpp"
 
+#include "engine/contact/simd_target.hpp"
 #include "engine/scene/units.hpp"
 
 #include <CLI/CLI.hpp>
@@ -25,6 +26,21 @@ void add_common_option(CLI::App& command, CommonOptions& options, CommonOption w
         command.add_option("--threads", options.threads, "threads to compute with (default: all)")
             ->type_name("N")
             ->check(CLI::Range(1, 1024));
+        return;
+    case CommonOption::simd:
+        command
+            .add_option("--simd", options.simd,
+                        fmt::format("instruction set of the contact kernel: {} (default: the "
+                                    "first)",
+                                    fmt::join(simd_targets(), ", ")))
+            ->type_name("TARGET")
+            ->check([](const std::string& name) {
+                const std::vector<std::string> targets = simd_targets();
+                if (std::find(targets.begin(), targets.end(), name) != targets.end())
+                    return std::string();
+                return fmt::format("wanted one of {}, which this machine has, got '{}'",
+                                   fmt::join(targets, ", "), name);
+            });
         return;
     case CommonOption::seed:
         command

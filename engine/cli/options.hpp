@@ -18,6 +18,7 @@ namespace spheroscope::cli {
 enum class CommonOption {
     output,
     threads,
+    simd,
     seed,
     set,
     json,
@@ -30,6 +31,7 @@ enum class CommonOption {
 struct CommonOptions {
     std::string output;                 ///< file or folder to write; empty: the verb's own choice
     int threads = 0;                    ///< as given; 0: not given
+    std::string simd;                   ///< SIMD target of the kernels; empty: the best
     std::optional<std::uint64_t> seed;  ///< instead of the scene's
     std::vector<std::string> set;       ///< "key=value", as given
     bool json = false;                  ///< one JSON document on stdout

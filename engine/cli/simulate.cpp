@@ -5,6 +5,7 @@
 #include "engine/cli/store_thread.hpp"
 #include "engine/cli/totals_text.hpp"
 #include "engine/cli/version.hpp"
+#include "engine/contact/simd_target.hpp"
 #include "engine/run/channels.hpp"
 #include "engine/store/checkpoint_file.hpp"
 #include "engine/store/run_file.hpp"
@@ -164,6 +165,10 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     check_expectation_names(scene);
     EngineOptions engine_options;
     engine_options.threads = options.n_threads();
+    if (!options.simd.empty() && !use_simd_target(options.simd))
+        throw Error(fmt::format("--simd wants one of {}, got '{}'", fmt::join(simd_targets(), ", "),
+                                options.simd),
+                    "leave it out for the best");
     engine_options.version = version_text();
     engine_options.command_line = invocation.command_line;
     engine_options.wall_limit_s = options.time_limit_s().value_or(0.0);
@@ -209,6 +214,7 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     };
 
     SimulationSummary summary;
+    summary.contact_arithmetic = engine.header()->contact_arithmetic;
     std::exception_ptr trouble;
     std::thread engine_thread([&] {
         try {
@@ -254,6 +260,8 @@ std::string summary_text(const SimulationSummary& summary, const RunPlace& place
         r.time_s, duration_text(r.wall_s), r.frames);
     text +=
         fmt::format("steps                {} ({} rejected)\n", r.work.steps, r.work.rejected_steps);
+    if (!summary.contact_arithmetic.empty())
+        text += fmt::format("contact kernel       {}\n", summary.contact_arithmetic);
     text += totals_text(r.totals);
     for (const Expectation& row : summary.expectations)
         text += fmt::format("expect {:<22} {} in [{:.6g}, {:.6g}] {}: {}\n", row.measure,
@@ -282,6 +290,7 @@ nlohmann::json summary_json(const SimulationSummary& summary, const RunPlace& pl
             {"frames", r.frames},
             {"totals", totals_json(r.totals)},
             {"work", work_json(r.work)},
+            {"contact_arithmetic", summary.contact_arithmetic},
             {"expectations", expectations},
             {"state_hash", fmt::format("{:016x}", r.state_hash)}};
 }

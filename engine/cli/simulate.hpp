@@ -23,6 +23,7 @@ struct RunPlace {
 struct SimulationSummary {
     RunResult result;
     std::vector<Expectation> expectations;
+    std::string contact_arithmetic;  ///< RunHeader::contact_arithmetic; empty if nothing was run
     ExitCode code = ExitCode::ok;
 };
 

@@ -21,13 +21,19 @@ struct InfoArguments {
 
 nlohmann::json describe(const RunFileReader& reader, const SnapshotPtr& last) {
     const RunHeader& header = *reader.header();
-    nlohmann::json document{
-        {"file", reader.path()},       {"title", header.title},
-        {"scene", header.scene_name},  {"seed", header.seed},
-        {"version", header.version},   {"command_line", header.command_line},
-        {"cells", header.n_cells},     {"nodes_per_cell", header.topology->n_nodes()},
-        {"frames", reader.n_frames()}, {"complete", reader.is_complete()},
-        {"outcome", reader.outcome()}, {"wall_s", reader.end().wall_time_s}};
+    nlohmann::json document{{"file", reader.path()},
+                            {"title", header.title},
+                            {"scene", header.scene_name},
+                            {"seed", header.seed},
+                            {"version", header.version},
+                            {"command_line", header.command_line},
+                            {"contact_arithmetic", header.contact_arithmetic},
+                            {"cells", header.n_cells},
+                            {"nodes_per_cell", header.topology->n_nodes()},
+                            {"frames", reader.n_frames()},
+                            {"complete", reader.is_complete()},
+                            {"outcome", reader.outcome()},
+                            {"wall_s", reader.end().wall_time_s}};
     if (last) {
         document["time_s"] = last->time_s;
         document["steps"] = last->diagnostics.steps;
@@ -46,6 +52,8 @@ std::string describe_in_words(const RunFileReader& reader, const SnapshotPtr& la
         header.title, header.scene_name, header.seed, header.version, header.n_cells,
         header.topology->n_nodes(), reader.n_frames(),
         reader.outcome().empty() ? "not ended" : reader.outcome());
+    if (!header.contact_arithmetic.empty())
+        text += fmt::format("contact kernel       {}\n", header.contact_arithmetic);
     if (reader.end().wall_time_s > 0.0)
         text += fmt::format("wall time            {}\n", duration_text(reader.end().wall_time_s));
     if (!last) return text;

@@ -41,10 +41,10 @@ Verb run_verb() {
                 command.add_flag("--overwrite", arguments->overwrite,
                                  "begin anew where an unfinished run is");
                 add_common_options(command, arguments->common,
-                                   {CommonOption::output, CommonOption::threads, CommonOption::seed,
-                                    CommonOption::set, CommonOption::json, CommonOption::quiet,
-                                    CommonOption::resume, CommonOption::time_limit,
-                                    CommonOption::checkpoint_every});
+                                   {CommonOption::output, CommonOption::threads, CommonOption::simd,
+                                    CommonOption::seed, CommonOption::set, CommonOption::json,
+                                    CommonOption::quiet, CommonOption::resume,
+                                    CommonOption::time_limit, CommonOption::checkpoint_every});
                 return [arguments](const Invocation& invocation) {
                     return run(*arguments, invocation);
                 };

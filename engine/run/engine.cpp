@@ -4,6 +4,7 @@
 
 #include "engine/run/engine.hpp"
 
+#include "engine/contact/simd_target.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/run/snapshot_maker.hpp"
 #include "engine/stages/choices.hpp"
@@ -52,6 +53,11 @@ Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
     header_->seed = scene.seed;
     header_->version = options.version;
     header_->command_line = options.command_line;
+    if (scene.contact)
+        header_->contact_arithmetic =
+            (scene.contact->precision == scene::Precision::single_precision ? "float, "
+                                                                            : "double, ") +
+            simd_target();
     header_->fields = chosen_fields(scene);
     for (const double radius : model.radius_um)
         header_->radius_um.push_back(static_cast<float>(radius));

@@ -21,6 +21,8 @@ struct RunHeader {
     std::uint64_t seed = 0;
     std::string version;  ///< program version with commit
     std::string command_line;
+    /// Lane type and SIMD target of the contact kernel, "float, avx512"; empty without contacts.
+    std::string contact_arithmetic;
     std::vector<const Field*> fields;  ///< the fields that each snapshot carries, in this order
     std::vector<float> radius_um;      ///< [n_cells] rest radius
 };

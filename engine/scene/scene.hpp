@@ -91,11 +91,13 @@ struct Medium {  // eqn (14)
 };
 
 enum class ContactLaw { traction };
+enum class Precision { single_precision, double_precision };
 enum class OmegaReading { printed, text, two_sided, per_cell, work_of_adhesion };
 
 struct Contact {  // eqns (5)-(7)
     Loc loc;
     ContactLaw law = ContactLaw::traction;
+    Precision precision = Precision::single_precision;  ///< of the geometry of a pair of triangles
     double reject_cos = 0.0;  ///< a pair is skipped when n_A . n_B >= this
     double h0_um = 0.3;
     OmegaReading omega_reading = OmegaReading::text;

@@ -178,6 +178,9 @@ SystemParts build_parts(const scene::Scene& scene) {
     }
     if (const auto& p = scene.contact) {
         parts.contact = contact_law(*p);
+        parts.contact_precision = p->precision == scene::Precision::single_precision
+                                      ? ContactPrecision::single_precision
+                                      : ContactPrecision::double_precision;
         add(std::make_unique<ContactTraction>(p->loc));
         if (p->friction_normal_kPa_s_per_um)
             parts.frictions.contact = ContactFriction{*p->friction_normal_kPa_s_per_um,

@@ -230,6 +230,7 @@ void write_header(hdf5::File& file, const RunHeader& header) {
     file.write_attribute("/", "n_cells", std::int64_t{header.n_cells});
     file.write_attribute("/", "n_nodes", std::int64_t{header.topology->n_nodes()});
     file.write_attribute("/", "n_triangles", std::int64_t{header.topology->n_triangles()});
+    file.write_attribute("/", "contact_arithmetic", header.contact_arithmetic);
     file.write_text("/command_line", header.command_line);
     file.write_text("/resolved_scene", header.resolved_scene);
     write_topology(file, header);
@@ -257,6 +258,9 @@ std::shared_ptr<const RunHeader> read_header(const hdf5::File& file) {
     header.scene_name = file.text_attribute("/", "scene_name");
     header.seed = file.unsigned_attribute("/", "seed");
     header.version = file.text_attribute("/", "version");
+    // Files of earlier versions do not say.
+    if (file.has_attribute("/", "contact_arithmetic"))
+        header.contact_arithmetic = file.text_attribute("/", "contact_arithmetic");
     header.command_line = file.read_text("/command_line");
     header.resolved_scene = file.read_text("/resolved_scene");
     const auto n_cells = static_cast<std::uint64_t>(file.int_attribute("/", "n_cells"));

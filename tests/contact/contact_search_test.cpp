@@ -11,7 +11,6 @@ namespace spheroscope::test {
 namespace {
 
 const ContactLaw k_law = adhesive_law(0.5, 0.3, 2.0, 0.0);
-constexpr double k_skin_um = 0.3;
 
 /// What a search finds now, with its own lists if it has any.
 Contacts found(ContactSearch& search, const Cluster& cells, Workers& workers) {
@@ -21,8 +20,9 @@ Contacts found(ContactSearch& search, const Cluster& cells, Workers& workers) {
     return contacts;
 }
 
-Contacts found_anew(const Cluster& cells, const ContactLaw& law) {
-    ContactSearch search(law, k_skin_um);
+Contacts found_anew(const Cluster& cells, const ContactLaw& law,
+                    ContactPrecision precision = ContactPrecision::single_precision) {
+    ContactSearch search(law, precision);
     Workers workers(1);
     return found(search, cells, workers);
 }
@@ -60,6 +60,21 @@ bool are_same_bits(const Contacts& p, const Contacts& q) {
     return equal_groups() && equal(p.cell_begin, q.cell_begin) && equal_sides();
 }
 
+/// The same pairs with the same areas, to the rounding of doubles.
+void expect_same_pairs(const Contacts& p, const Contacts& q) {
+    ASSERT_EQ(p.groups.size(), q.groups.size());
+    for (std::size_t g = 0; g < p.groups.size(); ++g) {
+        ASSERT_EQ(p.groups[g].pairs.size(), q.groups[g].pairs.size()) << "group " << g;
+        for (std::size_t i = 0; i < p.groups[g].pairs.size(); ++i) {
+            const ContactPair &s = p.groups[g].pairs[i], &t = q.groups[g].pairs[i];
+            EXPECT_EQ(s.triangle_a, t.triangle_a);
+            EXPECT_EQ(s.triangle_b, t.triangle_b);
+            EXPECT_NEAR(s.area_um2, t.area_um2, 1e-13);
+            EXPECT_NEAR(s.force_nN(), t.force_nN(), 1e-13);
+        }
+    }
+}
+
 /// Every node goes its own way, by up to `step_um` in each direction.
 void wander(Cluster& cells, std::uint64_t step, double step_um) {
     const Random random(step, 33);
@@ -71,8 +86,8 @@ void wander(Cluster& cells, std::uint64_t step, double step_um) {
 TEST(ContactSearch, FindsWhatAllPairsOfTrianglesGive) {
     for (const double overlap_um : {-0.4, 0.2, 0.9}) {
         const Cluster cells = make_cluster(162, 11, overlap_um, 0.05);
-        const Contacts contacts = found_anew(cells, k_law);
-        EXPECT_TRUE(are_same_bits(contacts, brute_force(cells, k_law)));
+        const Contacts contacts = found_anew(cells, k_law, ContactPrecision::double_precision);
+        expect_same_pairs(contacts, brute_force(cells, k_law));
         EXPECT_GT(contacts.n_pairs(), 10U) << "overlap " << overlap_um;
     }
 }
@@ -83,14 +98,15 @@ TEST(ContactSearch, FindsDeepContactsOfFineMeshesWithAShortRange) {
     ContactLaw law = adhesive_law(0.5, 0.1, 2.0, 0.0);
     for (const double overlap_um : {0.5, 0.8, 1.0, 1.1}) {
         const Cluster cells = make_doublet(642, 5, 5.0, 5.0, overlap_um);
-        EXPECT_TRUE(are_same_bits(found_anew(cells, law), brute_force(cells, law)))
-            << "overlap " << overlap_um;
+        SCOPED_TRACE(overlap_um);
+        expect_same_pairs(found_anew(cells, law, ContactPrecision::double_precision),
+                          brute_force(cells, law));
     }
 }
 
-TEST(ContactSearch, DoesNotDependOnTheAgeOfItsLists) {
+TEST(ContactSearch, DoesNotDependOnWhatItFoundBefore) {
     Cluster cells = make_cluster(42, 12, 0.2);
-    ContactSearch search(k_law, k_skin_um);
+    ContactSearch search(k_law, ContactPrecision::single_precision);
     Workers workers(1);
     constexpr int n_steps = 60;
     for (int step = 0; step < n_steps; ++step) {
@@ -98,22 +114,6 @@ TEST(ContactSearch, DoesNotDependOnTheAgeOfItsLists) {
         ASSERT_TRUE(are_same_bits(found(search, cells, workers), found_anew(cells, k_law)))
             << "step " << step;
     }
-    // The lists were old most of the time, and were made anew on the way.
-    EXPECT_GE(search.counts().list_builds, 3);
-    EXPECT_LE(search.counts().list_builds, n_steps / 3);
-}
-
-TEST(ContactSearch, BuildsItsListsAnewWhenANodeHasMovedHalfTheSkin) {
-    Cluster cells = make_cluster(42, 12, 0.2);
-    ContactSearch search(k_law, k_skin_um);
-    Workers workers(1);
-    static_cast<void>(found(search, cells, workers));
-    cells.x_um[50].x() += 0.49 * k_skin_um;
-    static_cast<void>(found(search, cells, workers));
-    EXPECT_EQ(search.counts().list_builds, 1);
-    cells.x_um[50].x() += 0.02 * k_skin_um;
-    static_cast<void>(found(search, cells, workers));
-    EXPECT_EQ(search.counts().list_builds, 2);
 }
 
 TEST(ContactSearch, GivesTheSameBitsOnAnyNumberOfThreads) {
@@ -121,7 +121,7 @@ TEST(ContactSearch, GivesTheSameBitsOnAnyNumberOfThreads) {
     const Contacts expected = found_anew(start, k_law);
     for (const int n_threads : {2, 3, 16}) {
         Workers workers(n_threads);
-        ContactSearch search(k_law, k_skin_um);
+        ContactSearch search(k_law, ContactPrecision::single_precision);
         EXPECT_TRUE(are_same_bits(found(search, start, workers), expected)) << n_threads;
     }
 }
@@ -156,7 +156,7 @@ TEST(ContactSearch, CountsWhatItFindsAndWhatIsTooDeep) {
     Workers workers(1);
     {
         const Cluster cells = make_cluster(162, 15, 0.3);
-        ContactSearch search(k_law, k_skin_um);
+        ContactSearch search(k_law, ContactPrecision::single_precision);
         const auto n_pairs = static_cast<std::int64_t>(found(search, cells, workers).n_pairs());
         EXPECT_EQ(search.counts().active_pairs, n_pairs);
         EXPECT_GE(search.counts().candidates, n_pairs);
@@ -166,13 +166,13 @@ TEST(ContactSearch, CountsWhatItFindsAndWhatIsTooDeep) {
     }
     {
         // Far apart: nothing to look at.
-        ContactSearch search(k_law, k_skin_um);
+        ContactSearch search(k_law, ContactPrecision::single_precision);
         EXPECT_EQ(found(search, make_cluster(162, 15, -8.0), workers).n_pairs(), 0U);
         EXPECT_EQ(search.counts().candidates, 0);
     }
     {
         // Two micrometres in each other: the middle of the contact is deeper than 1 um.
-        ContactSearch search(k_law, k_skin_um);
+        ContactSearch search(k_law, ContactPrecision::single_precision);
         EXPECT_GT(found(search, make_doublet(162, 3, 5.0, 5.0, 2.0), workers).n_pairs(), 0U);
         EXPECT_GT(search.counts().too_deep, 0);
     }
@@ -186,8 +186,8 @@ TEST(ContactSearch, RepulsionAloneHasNoTension) {
         for (const ContactPair& pair : group.pairs) {
             EXPECT_GT(pair.force_nN(), 0.0);
             for (std::size_t i = 0; i < 3; ++i) {
-                EXPECT_GE(pair.force_a_nN[i], -1e-15);
-                EXPECT_GE(pair.force_b_nN[i], -1e-15);
+                EXPECT_GE(pair.force_a_nN[i], -1e-6);
+                EXPECT_GE(pair.force_b_nN[i], -1e-6);
             }
         }
 }

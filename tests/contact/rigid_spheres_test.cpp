@@ -27,7 +27,7 @@ double mean_force_nN(int n_nodes, double overlap_um, const ContactLaw& law, int 
     for (int seed = 0; seed < n_seeds; ++seed) {
         const Cluster spheres = make_doublet(n_nodes, static_cast<std::uint64_t>(seed), k_R_um,
                                              k_R_um, overlap_um - 2.0 * k_h0_um);
-        ContactSearch search(law, 0.0);
+        ContactSearch search(law, ContactPrecision::single_precision);
         Contacts contacts;
         search.find(spheres.model, spheres.x_um,
                     geometry_of(spheres.model, spheres.x_um, Need::triangles), workers, contacts);
