@@ -36,16 +36,15 @@ Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
                const std::optional<GivenCells>& given)
     : scene_(scene), options_(options) {
     method_ = chosen_method(scene).make(method_parameters(scene));
-    const double target_strain = scene.cytosol ? scene.cytosol->target_strain : 0.0;
-    Model model =
-        make_model(make_icosphere(scene.cells.nodes), cell_radii(scene, given), target_strain);
-    run_.radius_um = model.radius_um;
+    run_.radius_um = cell_radii(scene, given);
+    header_ = std::make_shared<RunHeader>();
+    header_->topology = make_icosphere(scene.cells.nodes);
+    use_mesh(scene.stages.front().nodes);
+    const Model& model = system_->model();
     run_.state.x_um = start_positions(scene, model, given);
     run_.state.v_um_per_s.assign(model.n_all_nodes(), Vec3::Zero());
     run_.state.volume_integral_s.assign(model.radius_um.size(), 0.0);
 
-    header_ = std::make_shared<RunHeader>();
-    header_->topology = model.topology;
     header_->n_cells = model.n_cells();
     header_->title = scene.title;
     header_->scene_name = scene.file.substr(scene.file.find_last_of('/') + 1);
@@ -61,28 +60,60 @@ Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
     header_->fields = chosen_fields(scene);
     for (const double radius : model.radius_um)
         header_->radius_um.push_back(static_cast<float>(radius));
+}
 
-    if (scene.cortex.elastic) {
+void Engine::use_mesh(int n_nodes) {
+    const bool as_frames = n_nodes == header_->topology->n_nodes();
+    const double target_strain = scene_.cytosol ? scene_.cytosol->target_strain : 0.0;
+    Model model = make_model(as_frames ? header_->topology : make_icosphere(n_nodes),
+                             run_.radius_um, target_strain);
+    to_frames_.reset();
+    if (!as_frames) to_frames_.emplace(model.topology, header_->topology);
+    spring_nN_per_um_.clear();
+    if (scene_.cortex.elastic) {
         const MeshTopology& mesh = *model.topology;
         for (std::size_t e = 0; e < mesh.edges.size(); ++e)
             spring_nN_per_um_.push_back(k_spring_nN_per_um(
-                scene.cortex.elastic->E_kPa, scene.cortex.thickness_um,
+                scene_.cortex.elastic->E_kPa, scene_.cortex.thickness_um,
                 model.unit_triangle_area[idx(mesh.edges[e].left)],
                 model.unit_triangle_area[idx(mesh.edges[e].right)], model.unit_edge_length[e]));
     }
+    if (system_) earlier_work_.add(system_->work());
+    system_.reset();  // one of them at a time in memory
     // Measures look at normals and volumes even where no force needs them.
-    system_ = std::make_unique<System>(std::move(model), build_parts(scene), options.threads,
+    system_ = std::make_unique<System>(std::move(model), build_parts(scene_), options_.threads,
                                        Need::triangles | Need::volumes);
     for (const Field& field : all_fields())
         system_->counters().fields.push_back({std::string(field.name), 0});
 }
 
+void Engine::refine_to(int n_nodes) {
+    if (system_->model().n_nodes() == n_nodes) return;
+    const std::shared_ptr<const MeshTopology> coarse = system_->model().topology;
+    const int n_cells = system_->model().n_cells();
+    use_mesh(n_nodes);
+    State& state = run_.state;
+    state.x_um =
+        prolonged_positions(Prolongation(coarse, system_->model().topology), n_cells, state.x_um);
+    // The new nodes are not at rest relative to the old ones: begin with small steps.
+    state.v_um_per_s.assign(state.x_um.size(), Vec3::Zero());
+    state.has_velocity = false;
+    state.next_dt_s = 0.0;
+}
+
 Engine::~Engine() = default;
 
 void Engine::resume(const RunState& run) {
-    if (run.radius_um != run_.radius_um || run.state.x_um.size() != run_.state.x_um.size())
+    const bool is_over = run.stage >= static_cast<int>(scene_.stages.size());
+    const int stage = is_over ? static_cast<int>(scene_.stages.size()) - 1 : run.stage;
+    // A stage that has not begun is still on the mesh of the one before.
+    const int n_nodes =
+        scene_.stages[idx(!is_over && !run.stage_has_begun && stage > 0 ? stage - 1 : stage)].nodes;
+    if (run.radius_um != run_.radius_um ||
+        run.state.x_um.size() != run.radius_um.size() * idx(n_nodes))
         throw Error("the checkpoint is of other cells than the scene",
                     "resume with the scene that the run began with");
+    if (system_->model().n_nodes() != n_nodes) use_mesh(n_nodes);
     run_ = run;
 }
 
@@ -103,7 +134,8 @@ RunResult Engine::run(const EngineSinks& sinks, const std::atomic<bool>& stop) {
         write_checkpoint();
     }
     result_.wall_s = wall_clock_s() - started_wall_s_;
-    result_.work = system_->work();
+    result_.work = earlier_work_;
+    result_.work.add(system_->work());
     result_.work.steps = run_.diagnostics.steps;
     result_.work.rejected_steps = run_.diagnostics.rejected_steps;
     result_.time_s = run_.state.time_s;
@@ -160,6 +192,7 @@ Engine::Next Engine::anneal(const scene::Stage& stage) {
 
 Engine::Next Engine::advance(const scene::Stage& parameters) {
     const std::unique_ptr<Stage> stage = make_stage(parameters);
+    if (!run_.stage_has_begun) refine_to(parameters.nodes);
     StageContext context{*system_, run_.state, run_.memory};
     if (!run_.stage_has_begun) {
         run_.memory.start_s = run_.state.time_s;
@@ -292,6 +325,7 @@ Engine::Next Engine::publish(const Totals& totals, double progress) {
     const Configuration at = system_->configuration();
     auto snapshot = std::make_shared<Snapshot>(
         make_snapshot(header_, measure_input(at), run_.diagnostics, totals, system_->counters()));
+    if (to_frames_) prolong(*snapshot, *to_frames_);
     snapshot->frame = run_.frames++;
     snapshot->time_s = run_.state.time_s;
     snapshot->stage = run_.stage;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/model/prolongation.hpp"
 #include "engine/run/run_state.hpp"
 #include "engine/run/snapshot.hpp"
 #include "engine/scene/scene.hpp"
@@ -81,6 +82,10 @@ class Engine {
 
   private:
     enum class Next { go_on, stop };
+    /// Makes the system for cells of this mesh; forgets the one before.
+    void use_mesh(int n_nodes);
+    /// Carries the cells over to a finer mesh, if they are not on it yet.
+    void refine_to(int n_nodes);
     [[nodiscard]] Next anneal(const scene::Stage& stage);
     [[nodiscard]] Next advance(const scene::Stage& parameters);
     [[nodiscard]] Totals measure();
@@ -95,6 +100,8 @@ class Engine {
     EngineOptions options_;
     std::shared_ptr<RunHeader> header_;
     std::unique_ptr<System> system_;
+    Work earlier_work_;                      ///< of the systems on coarser meshes
+    std::optional<Prolongation> to_frames_;  ///< from the system's mesh, if it is coarser
     std::unique_ptr<Method> method_;
     std::vector<double> spring_nN_per_um_;  // [n_edges], for measures
     std::vector<double> pressure_kPa_;      // [cells]

@@ -21,7 +21,70 @@ std::size_t size_of(const Field& field, const Model& model) {
     return 0;
 }
 
+/// The part of an array of `values` that belongs to one cell.
+template <class T> std::span<const T> part_of(const std::vector<T>& values, int cell, int n_parts) {
+    const auto n = static_cast<std::size_t>(n_parts);
+    return std::span(values).subspan(static_cast<std::size_t>(cell) * n, n);
+}
+
+std::vector<Vec3> vectors_of(std::span<const float> components) {
+    std::vector<Vec3> vectors;
+    for (std::size_t i = 0; i + 2 < components.size(); i += 3)
+        vectors.emplace_back(double{components[i]}, double{components[i + 1]},
+                             double{components[i + 2]});
+    return vectors;
+}
+
+/// Outward unit normals at the nodes of one closed surface.
+std::vector<Vec3> node_normals(const MeshTopology& mesh, const std::vector<Vec3>& x) {
+    std::vector<Vec3> normals(x.size(), Vec3::Zero());
+    for (const auto& nodes : mesh.triangles) {
+        const auto at = [&](std::size_t k) { return static_cast<std::size_t>(nodes[k]); };
+        const Vec3 normal = (x[at(1)] - x[at(0)]).cross(x[at(2)] - x[at(0)]);
+        for (std::size_t k = 0; k < 3; ++k) normals[at(k)] += normal;
+    }
+    for (Vec3& normal : normals) normal.normalize();
+    return normals;
+}
+
 }  // namespace
+
+void prolong(Snapshot& snapshot, const Prolongation& prolongation) {
+    const MeshTopology& coarse = prolongation.coarse();
+    const MeshTopology& fine = prolongation.fine();
+    const int n_cells = snapshot.header->n_cells;
+    std::vector<float> x_um, normal;
+    for (int cell = 0; cell < n_cells; ++cell) {
+        const std::vector<Vec3> x =
+            prolongation.positions(vectors_of(part_of(snapshot.x_um, cell, 3 * coarse.n_nodes())));
+        for (const Vec3& node : x) append(x_um, node);
+        for (const Vec3& n : node_normals(fine, x)) append(normal, n);
+    }
+    snapshot.x_um = std::move(x_um);
+    snapshot.normal = std::move(normal);
+    for (std::size_t f = 0; f < snapshot.fields.size(); ++f) {
+        std::vector<float> values;
+        for (int cell = 0; cell < n_cells; ++cell) switch (snapshot.header->fields[f]->place) {
+            case Place::cell:
+                values.push_back(snapshot.fields[f][static_cast<std::size_t>(cell)]);
+                break;
+            case Place::node: {
+                const std::vector<float> at_nodes = prolongation.node_values<float>(
+                    part_of(snapshot.fields[f], cell, coarse.n_nodes()));
+                values.insert(values.end(), at_nodes.begin(), at_nodes.end());
+                break;
+            }
+            case Place::triangle: {
+                const std::span<const float> of_cell =
+                    part_of(snapshot.fields[f], cell, coarse.n_triangles());
+                for (int t = 0; t < fine.n_triangles(); ++t)
+                    values.push_back(of_cell[static_cast<std::size_t>(prolongation.parent(t))]);
+                break;
+            }
+            }
+        snapshot.fields[f] = std::move(values);
+    }
+}
 
 Snapshot make_snapshot(std::shared_ptr<const RunHeader> header, const MeasureInput& input,
                        const Diagnostics& diagnostics, const Totals& totals, Work& work) {

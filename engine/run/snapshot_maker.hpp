@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/measures/measure_input.hpp"
+#include "engine/model/prolongation.hpp"
 #include "engine/run/snapshot.hpp"
 #include "engine/solve/work.hpp"
 
@@ -12,5 +13,9 @@ namespace spheroscope {
 [[nodiscard]] Snapshot make_snapshot(std::shared_ptr<const RunHeader> header,
                                      const MeasureInput& input, const Diagnostics& diagnostics,
                                      const Totals& totals, Work& work);
+
+/// Shows a snapshot of cells on a coarser mesh on the mesh of its header: surfaces through the old
+/// nodes, a triangle's value on its parts, means of neighbours at the new nodes.
+void prolong(Snapshot& snapshot, const Prolongation& prolongation);
 
 }  // namespace spheroscope

@@ -253,6 +253,33 @@ void check_surroundings(const Draft& draft) {
             fmt::format("load.body_force.opposed wants two cells, got {}", scene.cells.count));
 }
 
+/// A stage is computed on the mesh of the cells unless it names a coarser one.
+void resolve_stage_meshes(Draft& draft) {
+    Scene& scene = draft.scene;
+    for (std::size_t k = 0; k < scene.stages.size(); ++k) {
+        Stage& stage = scene.stages[k];
+        if (stage.nodes == 0) stage.nodes = scene.cells.nodes;
+        if (stage.nodes > scene.cells.nodes)
+            throw Error(stage.loc,
+                        fmt::format("stage.nodes = {} is finer than cells.nodes = {}", stage.nodes,
+                                    scene.cells.nodes),
+                        "cells.nodes is the finest mesh, the one that frames show");
+        if (k > 0 && stage.nodes < scene.stages[k - 1].nodes)
+            throw Error(stage.loc,
+                        fmt::format("stage.nodes = {} is coarser than the {} of the stage before",
+                                    stage.nodes, scene.stages[k - 1].nodes),
+                        "cells can be carried over to a finer mesh only");
+    }
+    if (!scene.stages.empty() && scene.stages.back().nodes != scene.cells.nodes)
+        throw Error(scene.stages.back().loc,
+                    fmt::format("the last stage has {} nodes per cell, cells.nodes is {}",
+                                scene.stages.back().nodes, scene.cells.nodes),
+                    "results are those of the mesh of cells.nodes: leave stage.nodes away here");
+    if (scene.cells.arrangement == Arrangement::file && !scene.stages.empty() &&
+        scene.stages.front().nodes != scene.cells.nodes)
+        throw Error(scene.stages.front().loc, "cells from a file start on the mesh of cells.nodes");
+}
+
 void check_stages(const Draft& draft) {
     const Scene& scene = draft.scene;
     const bool packs = scene.cells.arrangement == Arrangement::packing;
@@ -354,6 +381,7 @@ void resolve(Draft& draft) {
     resolve_times(draft);
     check_surroundings(draft);
     check_stages(draft);
+    resolve_stage_meshes(draft);
     resolve_pictures(draft);
     resolve_expect(draft);
 }

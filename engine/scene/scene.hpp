@@ -143,6 +143,7 @@ struct Stage {
     Until until = Until::duration;  ///< relax
     double cap_s = 120.0;           ///< relax until rest/stationary: longest time
     double every_s = 0.0;           ///< output interval, model time; 0: only at its end
+    int nodes = 0;                  ///< mesh that it is computed on; resolved: never 0
     // anneal
     int steps = 20000;
     double packing_fraction = 0.60;

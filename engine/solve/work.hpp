@@ -28,6 +28,9 @@ struct Work {
     std::int64_t steps = 0;
     std::int64_t rejected_steps = 0;
 
+    /// Adds what another system of the same scene has done.
+    void add(const Work& other);
+
     /// Evaluations of a term or a field by its name; 0 if it is not part of the run.
     [[nodiscard]] std::int64_t evaluations(const std::string& name) const {
         for (const std::vector<TermCount>* counts : {&terms, &fields})

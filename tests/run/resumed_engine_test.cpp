@@ -144,6 +144,39 @@ TEST(ResumedEngine, ContinuesToTheBitWithThePapersMethod) {
     expect_same(stopped, whole);
 }
 
+TEST(ResumedEngine, ContinuesToTheBitFromACoarseStartToAFineEnd) {
+    const scene::Scene scene = scene::parse_scene(k_scene, "scene.toml",
+                                                  {{"cells.nodes", "162"},
+                                                   {"stage[0].nodes", "42"},
+                                                   {"stage[1].nodes", "42"},
+                                                   {"stage[2].nodes", "42"},
+                                                   {"stage[4].cap", "0.1 s"}});
+    const Record whole = run_scene(scene, 0);
+    ASSERT_EQ(whole.result.verdict, RunVerdict::cap) << whole.result.message;
+    for (const SnapshotPtr& frame : whole.frames) {
+        EXPECT_EQ(frame->x_um.size(), 4U * 162U * 3U);
+        EXPECT_EQ(frame->fields[1].size(), 4U * 320U);  // sigma_nn
+        for (std::size_t i = 0; i + 2 < frame->normal.size(); i += 3) {
+            const Vec3 normal(double{frame->normal[i]}, double{frame->normal[i + 1]},
+                              double{frame->normal[i + 2]});
+            EXPECT_NEAR(normal.norm(), 1.0, 1e-5);
+        }
+    }
+    const Record stopped = run_scene(scene, 2);
+    EXPECT_GE(stopped.stops_in_stage.size(), 5U);
+    expect_same(stopped, whole);
+    // Most of the work is done on the coarse mesh, and all of it is counted.
+    const Record fine =
+        run_scene(scene::parse_scene(k_scene, "scene.toml",
+                                     {{"cells.nodes", "162"}, {"stage[4].cap", "0.1 s"}}),
+                  0);
+    EXPECT_LT(whole.result.work.contact_pairs, fine.result.work.contact_pairs / 2);
+    EXPECT_GT(whole.result.work.contact_pairs, 0);
+    // A tenth of a second after the change of mesh the cells are on their way to the same place.
+    EXPECT_NEAR(whole.result.totals.contact_area_um2, fine.result.totals.contact_area_um2,
+                0.2 * fine.result.totals.contact_area_um2);
+}
+
 TEST(ResumedEngine, OfOtherCellsIsRefused) {
     const scene::Scene scene = scene::parse_scene(k_scene, "scene.toml");
     const scene::Scene other = scene::parse_scene(k_scene, "scene.toml", {{"scene.seed", "2"}});

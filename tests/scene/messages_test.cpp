@@ -35,6 +35,14 @@ TEST(SceneMessages, AnUnknownKeyIsMetWithTheNearestOne) {
               "a.toml:26:1: error: unknown key 'knid' in [stage]; did you mean 'kind'?");
 }
 
+TEST(SceneMessages, AStageOnAFinerMeshThanTheCellsOrCoarserThanBeforeIsRefused) {
+    const std::string finer = refusal(with(k_doublet, "kind =", "nodes = 2562\nkind ="));
+    EXPECT_NE(finer.find("stage.nodes = 2562 is finer than cells.nodes"), std::string::npos)
+        << finer;
+    const std::string last = refusal(with(k_doublet, "kind =", "nodes = 42\nkind ="));
+    EXPECT_NE(last.find("the last stage has 42 nodes per cell"), std::string::npos) << last;
+}
+
 TEST(SceneMessages, AKeyInTheWrongTableIsSentHome) {
     EXPECT_EQ(refusal(with(k_doublet, "[cytosol]", "[cytosol]\ngap = 1")),
               "a.toml:17:1: error: unknown key 'gap' in [cytosol]; it belongs in [cells]");
