@@ -6,12 +6,18 @@
 namespace spheroscope {
 
 void Work::add(const Work& other) {
-    constexpr std::array<std::int64_t Work::*, 13> counts{
-        &Work::force_evaluations,   &Work::stiffness_evaluations, &Work::contact_searches,
-        &Work::contact_list_builds, &Work::contact_candidates,    &Work::contact_pairs,
-        &Work::contact_too_deep,    &Work::linear_solves,         &Work::linear_iterations,
-        &Work::factorisations,      &Work::direct_solves,         &Work::steps,
-        &Work::rejected_steps};
+    constexpr std::array counts{&Work::force_evaluations,
+                                &Work::stiffness_evaluations,
+                                &Work::contact_searches,
+                                &Work::contact_candidates,
+                                &Work::contact_pairs,
+                                &Work::contact_too_deep,
+                                &Work::linear_solves,
+                                &Work::linear_iterations,
+                                &Work::factorisations,
+                                &Work::direct_solves,
+                                &Work::steps,
+                                &Work::rejected_steps};
     for (const auto count : counts) this->*count += other.*count;
     const auto add_rows = [](std::vector<TermCount>& rows, const std::vector<TermCount>& others) {
         for (const TermCount& row : others) {
