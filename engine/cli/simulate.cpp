@@ -256,8 +256,9 @@ std::string summary_text(const SimulationSummary& summary, const RunPlace& place
     std::string text = fmt::format("outcome              {}\n", r.outcome);
     if (!r.message.empty()) text += fmt::format("because              {}\n", r.message);
     text += fmt::format(
-        "model time           {:.4g} s\nwall time            {}\nframes               {}\n",
-        r.time_s, duration_text(r.wall_s), r.frames);
+        "model time           {:.4g} s{}\nwall time            {}\nframes               {}\n",
+        r.time_s, r.time_is_physical ? "" : " (not physical: only the end state means something)",
+        duration_text(r.wall_s), r.frames);
     text +=
         fmt::format("steps                {} ({} rejected)\n", r.work.steps, r.work.rejected_steps);
     if (!summary.contact_arithmetic.empty())
@@ -286,6 +287,7 @@ nlohmann::json summary_json(const SimulationSummary& summary, const RunPlace& pl
             {"exit_code", static_cast<int>(summary.code)},
             {"file", place.run_file()},
             {"time_s", r.time_s},
+            {"time_is_physical", r.time_is_physical},
             {"wall_s", r.wall_s},
             {"frames", r.frames},
             {"totals", totals_json(r.totals)},

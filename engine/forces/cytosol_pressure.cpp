@@ -37,7 +37,9 @@ double CytosolPressure::pressure_at_target_kPa(const Configuration& at, int cell
 }
 
 double CytosolPressure::pressure_kPa(const Configuration& at, int cell) const {
-    return pressure_at_target_kPa(at, cell) - parameters_.K_kPa * volume_strain(at, cell);
+    const double proportional_kPa =
+        parameters_.is_exact ? 0.0 : parameters_.K_kPa * volume_strain(at, cell);
+    return pressure_at_target_kPa(at, cell) - proportional_kPa;
 }
 
 void CytosolPressure::add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const {
@@ -50,7 +52,8 @@ void CytosolPressure::add_force(const Configuration& at, int cell, std::span<Vec
 std::optional<double> CytosolPressure::energy_fJ(const Configuration& at, int cell) const {
     const double eps = volume_strain(at, cell);
     const double target = at.model.target_volume_um3[static_cast<std::size_t>(cell)];
-    return target * eps * (0.5 * parameters_.K_kPa * eps - pressure_at_target_kPa(at, cell));
+    const double K_kPa = parameters_.is_exact ? 0.0 : parameters_.K_kPa;
+    return target * eps * (0.5 * K_kPa * eps - pressure_at_target_kPa(at, cell));
 }
 
 }  // namespace spheroscope

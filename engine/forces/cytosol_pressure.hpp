@@ -20,6 +20,9 @@ struct CytosolPressureParameters {
     double T_d_s = 0.0;                                      ///< 0: no derivative part
     double extra_pressure_kPa = 0.0;
     double gamma_nN_per_um = 0.0;  ///< what the offset pressure balances; 0 without a tension
+    /// V = V* is a constraint. P = P_off + P_extra - (K/T_I) I, where I is no integral but what the
+    /// constraint asks for; K/T_I is its unit only.
+    bool is_exact = false;
 };
 
 /// Pressure of the cytosol on the membrane, eqns (12) and (13): F_i = P dV/dx_i with
@@ -50,6 +53,7 @@ class CytosolPressure final : public ForceTerm {
     [[nodiscard]] double K_kPa() const { return parameters_.K_kPa; }
     [[nodiscard]] double T_I_s() const { return parameters_.T_I_s; }
     [[nodiscard]] double T_d_s() const { return parameters_.T_d_s; }
+    [[nodiscard]] bool is_exact() const { return parameters_.is_exact; }
 
   private:
     [[nodiscard]] double pressure_at_target_kPa(const Configuration& at, int cell) const;

@@ -139,6 +139,7 @@ RunResult Engine::run(const EngineSinks& sinks, const std::atomic<bool>& stop) {
     result_.work.steps = run_.diagnostics.steps;
     result_.work.rejected_steps = run_.diagnostics.rejected_steps;
     result_.time_s = run_.state.time_s;
+    result_.time_is_physical = chosen_method(scene_).order > 0;
     result_.frames = run_.frames;
     result_.state_hash = run_.state.hash();
     return result_;

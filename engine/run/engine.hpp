@@ -56,6 +56,7 @@ struct RunResult {
     Work work;
     Totals totals{};  ///< of the last measurement
     double time_s = 0.0;
+    bool time_is_physical = true;  ///< false for a method that only looks for an end state
     int frames = 0;
     std::uint64_t state_hash = 0;
 };

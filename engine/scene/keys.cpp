@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> k_arrangements{"packing", "single", "pair", "centres",
                                                          "file"};
-constexpr std::array<std::string_view, 2> k_controllers{"pid", "proportional"};
+constexpr std::array<std::string_view, 3> k_controllers{"pid", "proportional", "exact"};
 constexpr std::array<std::string_view, 1> k_laws{"traction"};
 constexpr std::array<std::string_view, 2> k_precisions{"float", "double"};
 constexpr std::array<std::string_view, 5> k_readings{"printed", "text", "two_sided", "per_cell",
@@ -80,6 +80,10 @@ constexpr Applies with_pid{[](const Draft& d, std::size_t) {
                                return d.scene.cytosol->controller == VolumeController::pid;
                            },
                            "with controller = \"pid\""};
+constexpr Applies with_gain{[](const Draft& d, std::size_t) {
+                                return d.scene.cytosol->controller != VolumeController::exact;
+                            },
+                            "with controller = \"pid\" or \"proportional\""};
 constexpr Applies with_forward_euler{
     [](const Draft& d, std::size_t) { return d.scene.method.name == "forward_euler"; },
     "with name = \"forward_euler\""};
@@ -265,9 +269,10 @@ const auto& keys() {
 
         Key{"cytosol", "controller", choose<&S::cytosol, &Cytosol::controller>(k_controllers),
             number, {}, {}, {}, "", "eqn (13)",
-            "`pid` reaches the target volume exactly at rest, `proportional` does not."},
-        Key{"cytosol", "K", reach<&S::cytosol, &Cytosol::K_kPa>(), stiffness, not_negative, {}, {},
-            "5 kPa", k_table_2, "Proportional gain."},
+            "`pid` reaches the target volume exactly at rest, `proportional` does not, `exact` "
+            "keeps it all the time (not every method can)."},
+        Key{"cytosol", "K", reach<&S::cytosol, &Cytosol::K_kPa>(), stiffness, not_negative, {},
+            with_gain, "5 kPa", k_table_2, "Proportional gain."},
         Key{"cytosol", "T_I", reach<&S::cytosol, &Cytosol::T_I_s>(), time, positive,
             computed("eta t / (2 sqrt(3) gamma)"), with_pid, "0.115 s", k_table_2,
             "Integral time. The default needs [cortex.tension] and [cortex.viscosity]."},
@@ -328,7 +333,9 @@ const auto& keys() {
             computed("eta t / (60 sqrt(3) gamma), else 1 ms; at most dt_max"), {}, "3.85 ms",
             k_table_2, "The step of `forward_euler`; the first step of an adaptive method."},
         Key{"method", "dt_max", reach<&S::method, &Method::dt_max_s>(), time, positive, {}, {},
-            "0.1 ... 1 s", k_ours, "Longest adaptive step."},
+            "0.1 ... 1 s", k_ours,
+            "Longest adaptive step. Of `equilibrium` 1e6 s, so that only `every` of the stage bounds "
+            "it."},
         Key{"method", "dt_min", reach<&S::method, &Method::dt_min_s>(), time, positive, {}, {},
             "1 us", k_ours, "A step that has to be shorter ends the run."},
         Key{"method", "tolerance", reach<&S::method, &Method::tolerance_um>(), length, not_negative,

@@ -214,6 +214,8 @@ void resolve_times(Draft& draft) {
     Scene& scene = draft.scene;
     const std::optional<double> zeta_s = relaxation_time(scene);
     Method& method = scene.method;
+    // Its time is no time: nothing but the output interval bounds its steps.
+    if (method.name == "equilibrium" && !draft.given("method.dt_max")) method.dt_max_s = 1e6;
     // the paper's step is zeta / 30
     if (!draft.given("method.dt"))
         method.dt_s = std::min(zeta_s ? *zeta_s / 30.0 : 1e-3, method.dt_max_s);

@@ -73,7 +73,7 @@ struct Cortex {
     std::optional<Regularisation> regularisation;
 };
 
-enum class VolumeController { pid, proportional };
+enum class VolumeController { pid, proportional, exact };
 
 struct Cytosol {  // eqns (12), (13)
     Loc loc;

@@ -5,29 +5,37 @@
 namespace spheroscope {
 namespace {
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+/// Ten thousand times the pressure of a cell (2 gamma/R = 0.1 kPa): a change of it by itself leaves
+/// a strain of 1e-4 for one step. Larger ones make the right-hand side, of which the linear
+/// tolerance is a fraction, a multiple of the forces.
+constexpr double k_exact_modulus_kPa = 1e3;
 }  // namespace
 
 void ImplicitVolume::set_up(const System& system, double h_s, bool freeze_integral) {
     const CytosolPressure* cytosol = system.parts().cytosol;
-    integral_moves_ = cytosol != nullptr && !freeze_integral;
     if (cytosol == nullptr) return;
     h_s_ = h_s;
-    const double K = cytosol->K_kPa();
-    integral_gain_kPa_per_s_ = freeze_integral ? 0.0 : K / cytosol->T_I_s();
+    const double gain_kPa_per_s = cytosol->K_kPa() / cytosol->T_I_s();
+    const double K = cytosol->is_exact() ? 0.0 : cytosol->K_kPa();
+    integral_moves_ = cytosol->is_exact() || !freeze_integral;
+    integral_kPa_ = cytosol->is_exact() ? k_exact_modulus_kPa
+                    : freeze_integral   ? 0.0
+                                        : gain_kPa_per_s * h_s;
+    exact_step_s_ = cytosol->is_exact() ? k_exact_modulus_kPa / gain_kPa_per_s : 0.0;
     const std::vector<double>& target_um3 = system.model().target_volume_um3;
     coefficient_.resize(target_um3.size());
     for (std::size_t cell = 0; cell < target_um3.size(); ++cell)
         coefficient_[cell] =
-            (K * h_s + integral_gain_kPa_per_s_ * h_s * h_s + K * cytosol->T_d_s()) /
-            target_um3[cell];
+            (K * h_s + integral_kPa_ * h_s + K * cytosol->T_d_s()) / target_um3[cell];
 }
 
 void ImplicitVolume::add_pressure(const System& system, std::span<const double> rate,
                                   std::span<Vec3> b) const {
-    if (!integral_moves_ || integral_gain_kPa_per_s_ == 0.0) return;
+    if (!integral_moves_ || integral_kPa_ == 0.0) return;
     const Model& model = system.model();
     for (int cell = 0; cell < model.n_cells(); ++cell) {
-        const double pressure_kPa = -h_s_ * integral_gain_kPa_per_s_ * rate[idx(cell)];
+        const double pressure_kPa = -integral_kPa_ * rate[idx(cell)];
         const std::span<const Vec3> S =
             model.cell_nodes(std::span<const Vec3>(system.geometry().volume_gradient_um2), cell);
         const std::span<Vec3> b_cell = model.cell_nodes(b, cell);

@@ -13,26 +13,12 @@
 
 #include "engine/solve/linearly_implicit.hpp"
 
-#include "engine/solve/implicit_volume.hpp"
 #include "engine/solve/step_common.hpp"
 #include "engine/solve/step_size.hpp"
 
+#include <algorithm>
+
 namespace spheroscope {
-namespace {
-
-class LinearlyImplicit final : public Method {
-  public:
-    explicit LinearlyImplicit(const MethodParameters& parameters) : parameters_(parameters) {}
-
-    StepOutcome advance(System& system, State& state, double limit_s,
-                        bool freeze_volume_integral) override;
-
-  private:
-    MethodParameters parameters_;
-    ImplicitVolume volume_;
-    std::vector<Vec3> v_, b_;
-    std::vector<double> integral_rate_;  // [cells]
-};
 
 StepOutcome LinearlyImplicit::advance(System& system, State& state, double limit_s,
                                       bool freeze_volume_integral) {
@@ -69,19 +55,20 @@ StepOutcome LinearlyImplicit::advance(System& system, State& state, double limit
             continue;
         }
         describe_powers(system, state, freeze_volume_integral, v_, outcome);
-        if (size.is_adaptive()) state.next_dt_s = size.next_s(outcome, wanted_s, 2);
+        if (size.is_adaptive())
+            state.next_dt_s =
+                std::min(size.next_s(outcome, wanted_s, 2), longest_next_step_s(system, outcome));
         if (volume_.integral_moves()) {
             volume_.add_motion(system, v_, integral_rate_);
             for (std::size_t cell = 0; cell < integral_rate_.size(); ++cell)
-                state.volume_integral_s[cell] += dt_s * integral_rate_[cell];
+                state.volume_integral_s[cell] +=
+                    volume_.integral_step_s(dt_s) * integral_rate_[cell];
         }
         finish_step(state, v_, end_s);
         outcome.accepted = true;
         return outcome;
     }
 }
-
-}  // namespace
 
 std::unique_ptr<Method> make_linearly_implicit(const MethodParameters& parameters) {
     return std::make_unique<LinearlyImplicit>(parameters);

@@ -1,3 +1,4 @@
+#include "engine/solve/equilibrium.hpp"
 #include "engine/solve/forward_euler.hpp"
 #include "engine/solve/linearly_implicit.hpp"
 #include "engine/solve/method.hpp"
@@ -10,16 +11,19 @@ namespace spheroscope {
 
 std::span<const MethodRow> all_methods() {
     // Columns: name, order, adaptive, stages, needs stiffness, holds exact volume.
-    static constexpr std::array<MethodRow, 4> rows{{
+    static constexpr std::array<MethodRow, 5> rows{{
         {"forward_euler", 1, false, 1, false, false, "the paper's method: explicit, fixed step",
          make_forward_euler},
-        {"linearly_implicit", 1, true, 1, true, false,
+        {"linearly_implicit", 1, true, 1, true, true,
          "(Gamma + dt K) v = F with an adaptive step: the work-horse", make_linearly_implicit},
         {"rosenbrock_w", 2, true, 2, true, false,
          "two linearly implicit stages, second order, for accuracy in time", make_rosenbrock_w},
         {"rkc", 2, true, 0, false, false,
          "explicit Runge-Kutta-Chebyshev, second order, as many stages as stability asks for",
          make_rkc},
+        {"equilibrium", 0, true, 1, true, true,
+         "end states only: linearly implicit steps that grow without regard to the time in between",
+         make_equilibrium},
     }};
     return rows;
 }

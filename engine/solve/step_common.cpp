@@ -36,7 +36,7 @@ void describe_powers(System& system, const State& state, bool freeze_volume_inte
         for (const Vec3& f : system.force_of_term(*parts.wall))
             outcome.drive_power_nN_um_per_s -= state.wall.speed_um_per_s * f.norm();
     }
-    if (parts.cytosol != nullptr && !freeze_volume_integral) {
+    if (parts.cytosol != nullptr && !parts.cytosol->is_exact() && !freeze_volume_integral) {
         const Configuration at = system.configuration();
         for (int cell = 0; cell < model.n_cells(); ++cell) {
             const double strain = parts.cytosol->volume_strain(at, cell);

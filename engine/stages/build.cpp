@@ -170,11 +170,15 @@ SystemParts build_parts(const scene::Scene& scene) {
     }
     if (const auto& p = scene.cytosol) {
         const bool is_pid = p->controller == scene::VolumeController::pid;
-        parts.cytosol = add(std::make_unique<CytosolPressure>(
-            p->loc, CytosolPressureParameters{
-                        p->K_kPa, is_pid ? p->T_I_s : std::numeric_limits<double>::infinity(),
-                        is_pid ? p->T_d_s : 0.0, p->extra_pressure_kPa,
-                        scene.cortex.tension ? scene.cortex.tension->gamma_nN_per_um : 0.0}));
+        CytosolPressureParameters cytosol{
+            p->K_kPa, is_pid ? p->T_I_s : std::numeric_limits<double>::infinity(),
+            is_pid ? p->T_d_s : 0.0, p->extra_pressure_kPa,
+            scene.cortex.tension ? scene.cortex.tension->gamma_nN_per_um : 0.0};
+        if (p->controller == scene::VolumeController::exact) {
+            cytosol.is_exact = true;
+            cytosol.K_kPa = cytosol.T_I_s = 1.0;  // the unit of the multiplier
+        }
+        parts.cytosol = add(std::make_unique<CytosolPressure>(p->loc, cytosol));
     }
     if (const auto& p = scene.contact) {
         parts.contact = contact_law(*p);

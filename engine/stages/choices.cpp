@@ -18,6 +18,21 @@ const MethodRow& chosen_method(const scene::Scene& scene) {
     if (method == nullptr)
         throw Error(scene.method.loc, "there is no method '" + scene.method.name + "'",
                     "methods are:" + names_of(all_methods()));
+    if (!scene.cytosol) return *method;
+    using enum scene::VolumeController;
+    if (scene.cytosol->controller == exact && !method->holds_exact_volume) {
+        std::string names;
+        for (const MethodRow& row : all_methods())
+            if (row.holds_exact_volume) names += " " + std::string(row.name);
+        throw Error(scene.cytosol->loc,
+                    "the method " + scene.method.name + " cannot hold controller = \"exact\"",
+                    "methods that can:" + names);
+    }
+    if (scene.cytosol->controller == pid && method->order == 0)
+        throw Error(scene.cytosol->loc,
+                    "the method " + scene.method.name +
+                        " has no motion in time, so controller = \"pid\" means nothing to it",
+                    "\"exact\" ends at the same volume");
     return *method;
 }
 

@@ -71,7 +71,10 @@ PlanRow volume_friction_row(const scene::Scene& scene) {
     PlanRow row = table_row("cytosol, derivative part", "(13)", scene.cytosol, "cytosol");
     if (scene.cytosol && scene.cytosol->controller != scene::VolumeController::pid) {
         row.is_in = false;
-        row.because = "the controller is proportional (" + place(scene.cytosol->loc) + ")";
+        row.because = (scene.cytosol->controller == scene::VolumeController::exact
+                           ? "the controller is exact ("
+                           : "the controller is proportional (") +
+                      place(scene.cytosol->loc) + ")";
     }
     return row;
 }
@@ -147,6 +150,15 @@ void add_fields(const scene::Scene& scene, std::vector<PlanRow>& rows) {
     }
 }
 
+/// While a wall acts the integral of the volume controller does not advance.
+std::string note_on_wall(const scene::Scene& scene, const scene::Stage& stage) {
+    using enum scene::StageKind;
+    const bool has_wall = stage.kind == compact || stage.kind == hold || stage.kind == release;
+    const bool has_integral =
+        scene.cytosol && scene.cytosol->controller == scene::VolumeController::pid;
+    return has_wall && has_integral ? "; the integral of the volume controller is frozen" : "";
+}
+
 }  // namespace
 
 std::vector<PlanRow> explain(const scene::Scene& scene) {
@@ -158,7 +170,7 @@ std::vector<PlanRow> explain(const scene::Scene& scene) {
     for (std::size_t i = 0; i < scene.stages.size(); ++i)
         rows.push_back(
             {"stage " + std::to_string(i) + ", " + std::string(name_of(scene.stages[i].kind)), "",
-             true, place(scene.stages[i].loc)});
+             true, place(scene.stages[i].loc) + note_on_wall(scene, scene.stages[i])});
     for (const scene::Picture& picture : scene.pictures)
         rows.push_back({"picture " + picture.name, "", true, place(picture.loc)});
     if (scene.pictures.empty()) rows.push_back({"pictures", "", false, "no [[picture]]"});

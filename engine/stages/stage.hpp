@@ -41,7 +41,7 @@ class Stage {
     [[nodiscard]] virtual double latest_end_s(const StageContext& context) const {
         return context.memory.start_s + parameters_.duration_s;
     }
-    /// After every step. The system holds the evaluation at the start of that step.
+    /// After every step. The system holds an evaluation of that step, at its start or its end.
     [[nodiscard]] virtual StageEnd after_step(StageContext& context) const;
     /// After every measurement of the state as it is now.
     [[nodiscard]] virtual StageEnd after_measure(StageContext& context,

@@ -40,7 +40,7 @@ SystemParts make_parts(const PartValues& v) {
     if (v.K_kPa)
         parts.cytosol = add(std::make_unique<CytosolPressure>(
             loc, CytosolPressureParameters{*v.K_kPa, v.T_I_s, v.T_d_s, v.extra_pressure_kPa,
-                                           v.gamma_nN_per_um.value_or(0.0)}));
+                                           v.gamma_nN_per_um.value_or(0.0), v.exact_volume}));
     if (!v.body_force_nN.isZero())
         add(std::make_unique<BodyForce>(loc, BodyForceParameters{v.body_force_nN, false}));
     parts.frictions.eta_f_kPa_s = v.eta_f_kPa_s;

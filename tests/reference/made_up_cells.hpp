@@ -20,7 +20,8 @@ struct PartValues {
     double T_I_s = std::numeric_limits<double>::infinity();
     double T_d_s = 0.0;
     double extra_pressure_kPa = 0.0;
-    double eta_kPa_s = 0.0;  ///< of the cortex; 0: no cortex friction
+    bool exact_volume = false;  ///< needs K and a finite T_I, which are the unit of the multiplier
+    double eta_kPa_s = 0.0;     ///< of the cortex; 0: no cortex friction
     double eta_f_kPa_s = 0.05;
     std::optional<ContactLaw> contact;
     std::optional<ContactFriction> contact_friction;

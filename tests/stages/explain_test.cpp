@@ -119,5 +119,45 @@ TEST(Explain, GivesTheLineOfTheTableOrTheTableThatIsMissing) {
               "the same in all steps: [cortex.viscosity] (a.toml:20:1) without [contact.friction]");
 }
 
+TEST(Explain, SaysWhereTheIntegralOfTheVolumeControllerIsFrozen) {
+    const std::string wall = k_shell + "[contact]\nh0 = \"0.3 um\"\n[contact.adhesion]\nomega = "
+                                       "\"0.5 nN/um\"\n[[stage]]\nkind = \"compact\"\nduration = "
+                                       "\"0.01 s\"\n";
+    std::string pid = wall;
+    pid.replace(pid.find("\"proportional\""), 14, "\"pid\"\nT_I = \"0.1 s\"");
+    const std::string frozen = "the integral of the volume controller is frozen";
+    const auto because = [](const std::string& text, const char* stage) {
+        return row_of(explain(scene::parse_scene(text, "a.toml")), stage).because;
+    };
+    EXPECT_NE(because(pid, "stage 1, compact").find(frozen), std::string::npos);
+    EXPECT_EQ(because(pid, "stage 0, relax").find(frozen), std::string::npos);
+    EXPECT_EQ(because(wall, "stage 1, compact").find(frozen), std::string::npos);
+}
+
+TEST(Methods, ThatCannotHoldAnExactVolumeSaySoInTheLineOfTheScene) {
+    std::string exact = k_shell;
+    exact.replace(exact.find("\"proportional\"\nK = \"5 kPa\""), 26, "\"exact\"");
+    const auto plan_with = [&](const std::string& method) {
+        return explain(
+            scene::parse_scene(exact + "[method]\nname = \"" + method + "\"\n", "a.toml"));
+    };
+    for (const MethodRow& row : all_methods()) {
+        const std::string name(row.name);
+        if (row.holds_exact_volume) {
+            EXPECT_NO_THROW(plan_with(name)) << name;
+            continue;
+        }
+        try {
+            static_cast<void>(plan_with(name));
+            ADD_FAILURE() << name;
+        } catch (const Error& error) {
+            const std::string text = error.what();
+            EXPECT_NE(text.find("a.toml:9:1"), std::string::npos) << text;
+            EXPECT_NE(text.find(name + " cannot hold"), std::string::npos) << text;
+            EXPECT_NE(text.find("linearly_implicit equilibrium"), std::string::npos) << text;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace spheroscope
