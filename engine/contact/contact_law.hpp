@@ -2,6 +2,12 @@
 
 namespace spheroscope {
 
+/// How a contact energy becomes forces.
+enum class ContactForm {
+    traction,     ///< the paper's normal-only force of pairs of triangles (triangle_pair.hpp)
+    variational,  ///< F = -dE/dx of the energy on each cell's own surface (variational_search.hpp)
+};
+
 /// The adhesive contact law of two surfaces, each moved outward by h0 (Cuvelier et al. 2021, eqns
 /// (5) and (6)): at total overlap delta >= 0 the pressure is P = k delta - P0 (> 0 pushes apart)
 /// and the energy per area e = k delta^2 / 2 - P0 delta, with its minimum -W at delta_eq = P0 / k.
@@ -9,10 +15,11 @@ struct ContactLaw {
     double h0_um = 0.3;         ///< range of the adhesion, per surface
     double P0_kPa = 0.0;        ///< largest tension
     double k_kPa_per_um = 0.0;  ///< stiffness per area
-    double reject_cos = 0.0;    ///< a pair of triangles is no contact when n_A . n_B >= this
+    double reject_cos = 0.0;    ///< traction: no contact of triangles with n_A . n_B >= this
     /// A pair that is deeper than this is two surfaces that passed through each other, not a
     /// contact.
     double largest_overlap_um = 1.6;
+    ContactForm form = ContactForm::traction;
 
     [[nodiscard]] double pressure_kPa(double overlap_um) const {
         return k_kPa_per_um * overlap_um - P0_kPa;

@@ -18,7 +18,7 @@ struct ContactPair {
     float largest_overlap_um;
     Vec3 normal;                       ///< n, from B to A
     double area_um2;                   ///< S_AB of the clip polygon
-    double energy_fJ;                  ///< integral of e(delta)
+    double energy_fJ;                  ///< integral of e(delta); `variational` has it in films
     std::array<double, 3> lambda;      ///< barycentric coordinates of the polygon's centroid in A^p
     std::array<double, 3> mu;          ///< and in B^p
     std::array<double, 3> force_a_nN;  ///< f_i: node i of A feels + f_i n
@@ -28,13 +28,22 @@ struct ContactPair {
     [[nodiscard]] double force_nN() const { return force_a_nN[0] + force_a_nN[1] + force_a_nN[2]; }
 };
 
+/// Law `variational`: in-plane tension of one triangle from its contact with one other cell, the
+/// part of -dE/dx that comes from the triangle's area. It makes no net force and no torque.
+struct ContactFilm {
+    int triangle;              ///< local to its cell
+    double tension_nN_per_um;  ///< < 0: adhesion spreads the triangle
+    double energy_fJ;          ///< of this triangle's side of the contact
+};
+
 /// All active pairs of one configuration, grouped by pair of cells. Groups ascend by (cell_a,
-/// cell_b), pairs in a group by (triangle_a, triangle_b): the order depends on nothing else, so
-/// neither do sums.
+/// cell_b), pairs in a group by (triangle_a, triangle_b), or in law `variational` by the triangle
+/// whose surface they integrate: the order depends on nothing else, so neither do sums.
 struct Contacts {
     struct Group {
         int cell_a = 0, cell_b = 0;
         std::vector<ContactPair> pairs;
+        std::vector<ContactFilm> films_a{}, films_b{};  ///< of either cell; law `variational` only
     };
     struct Side {
         int group;
@@ -46,6 +55,9 @@ struct Contacts {
 
     [[nodiscard]] static std::span<const ContactPair> pairs_of(const Group& group) {
         return group.pairs;
+    }
+    [[nodiscard]] static std::span<const ContactFilm> films_of(const Group& group, bool is_a) {
+        return is_a ? group.films_a : group.films_b;
     }
     [[nodiscard]] std::size_t n_pairs() const {
         std::size_t n = 0;

@@ -1,3 +1,4 @@
+#include "engine/forces/contact_variational.hpp"
 #include "engine/measures/measure_input.hpp"
 
 namespace spheroscope {
@@ -28,11 +29,30 @@ template <class F> void for_nodes_of_pair(const Configuration& at, const Contact
     side(group.cell_b, pair.triangle_b, pair.force_b_nN, -1.0);
 }
 
+/// Calls f(cell, virial) for the films of a pair of cells: sum over the corners of F x^T. Their
+/// forces have no sum, so it does not matter where x is counted from.
+template <class F>
+void for_films_of_group(const Configuration& at, const Contacts::Group& group, const F& f) {
+    const MeshTopology& mesh = *at.model.topology;
+    for (const bool is_a : {true, false}) {
+        const int cell = is_a ? group.cell_a : group.cell_b;
+        const std::span<const Vec3> x = at.model.cell_nodes(at.x_um, cell);
+        for (const ContactFilm& film : at.contacts.films_of(group, is_a)) {
+            const auto& nodes = mesh.triangles[idx(film.triangle)];
+            const std::array<Vec3, 3> force = film_forces_nN(at, cell, film);
+            Mat3 virial = Mat3::Zero();
+            for (std::size_t c = 1; c < 3; ++c)
+                virial += force[c] * (x[idx(nodes[c])] - x[idx(nodes[0])]).transpose();
+            f(cell, virial);
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Mat3> cell_stress_tensors(const Configuration& at) {
     std::vector<Mat3> stress(at.model.radius_um.size(), Mat3::Zero());
-    for (const Contacts::Group& group : at.contacts.groups)
+    for (const Contacts::Group& group : at.contacts.groups) {
         for (const ContactPair& pair : at.contacts.pairs_of(group)) {
             const Vec3& origin = origin_of_pair(at, group, pair);
             Mat3 pair_virial = Mat3::Zero();
@@ -43,6 +63,12 @@ std::vector<Mat3> cell_stress_tensors(const Configuration& at) {
             stress[idx(group.cell_a)] += 0.5 * pair_virial;
             stress[idx(group.cell_b)] += 0.5 * pair_virial;
         }
+        for_films_of_group(at, group, [&](int cell, const Mat3& film) {
+            stress[idx(cell)] += film;
+            stress[idx(group.cell_a)] -= 0.5 * film;
+            stress[idx(group.cell_b)] -= 0.5 * film;
+        });
+    }
     for (std::size_t cell = 0; cell < stress.size(); ++cell) {
         const Mat3 symmetric = 0.5 * (stress[cell] + stress[cell].transpose());
         stress[cell] = symmetric / at.geometry.volume_um3[cell];
@@ -59,7 +85,7 @@ std::vector<double> hydrostatic_stress_from_inside(const Configuration& at,
         for (std::size_t i = 0; i < F.size(); ++i)
             virial[idx(cell)] -= F[i].dot(x[i] - at.geometry.centre_um[idx(cell)]);
     }
-    for (const Contacts::Group& group : at.contacts.groups)
+    for (const Contacts::Group& group : at.contacts.groups) {
         for (const ContactPair& pair : at.contacts.pairs_of(group)) {
             const Vec3& origin = origin_of_pair(at, group, pair);
             double pair_virial = 0.0;
@@ -70,6 +96,12 @@ std::vector<double> hydrostatic_stress_from_inside(const Configuration& at,
             virial[idx(group.cell_a)] += 0.5 * pair_virial;
             virial[idx(group.cell_b)] += 0.5 * pair_virial;
         }
+        for_films_of_group(at, group, [&](int cell, const Mat3& film) {
+            virial[idx(cell)] += film.trace();
+            virial[idx(group.cell_a)] -= 0.5 * film.trace();
+            virial[idx(group.cell_b)] -= 0.5 * film.trace();
+        });
+    }
     for (std::size_t cell = 0; cell < virial.size(); ++cell)
         virial[cell] /= 3.0 * at.geometry.volume_um3[cell];
     return virial;

@@ -52,7 +52,9 @@ Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
     header_->seed = scene.seed;
     header_->version = options.version;
     header_->command_line = options.command_line;
-    if (scene.contact)
+    if (scene.contact && scene.contact->law == scene::ContactLaw::variational)
+        header_->contact_arithmetic = "double";
+    else if (scene.contact)
         header_->contact_arithmetic =
             (scene.contact->precision == scene::Precision::single_precision ? "float, "
                                                                             : "double, ") +

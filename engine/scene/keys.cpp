@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<std::string_view, 5> k_arrangements{"packing", "single", "pair", "centres",
                                                          "file"};
 constexpr std::array<std::string_view, 3> k_controllers{"pid", "proportional", "exact"};
-constexpr std::array<std::string_view, 1> k_laws{"traction"};
+constexpr std::array<std::string_view, 2> k_laws{"traction", "variational"};
 constexpr std::array<std::string_view, 2> k_precisions{"float", "double"};
 constexpr std::array<std::string_view, 5> k_readings{"printed", "text", "two_sided", "per_cell",
                                                      "work_of_adhesion"};
@@ -90,6 +90,9 @@ constexpr Applies with_forward_euler{
 constexpr Applies with_adhesion{
     [](const Draft& d, std::size_t) { return d.given("contact.adhesion"); },
     "with [contact.adhesion]"};
+constexpr Applies with_traction{
+    [](const Draft& d, std::size_t) { return d.scene.contact->law == ContactLaw::traction; },
+    "with law = \"traction\""};
 constexpr Applies without_adhesion{
     [](const Draft& d, std::size_t) { return !d.given("contact.adhesion"); },
     "without [contact.adhesion], which brings its own stiffness"};
@@ -287,13 +290,15 @@ const auto& keys() {
             {}, "0.05 kPa s", k_table_2, "Viscosity of the medium."},
 
         Key{"contact", "law", choose<&S::contact, &Contact::law>(k_laws), number, {}, {}, {}, "",
-            "eqns (5) to (7)", "`traction`: the normal-only force of the paper."},
+            "eqns (5) to (7)",
+            "`traction`: the normal-only force of the paper. `variational`: the gradient of the "
+            "contact energy, with its in-plane part."},
         Key{"contact", "precision", choose<&S::contact, &Contact::precision>(k_precisions), number,
-            {}, {}, {}, "float", k_ours,
+            {}, {}, with_traction, "float", k_ours,
             "Of the contact kernel: `float` is about three times as fast, with errors of the nodal "
             "forces below 1e-5 of the largest."},
         Key{"contact", "reject_cos", reach<&S::contact, &Contact::reject_cos>(), number, cosine, {},
-            {}, "0, 0.3", k_ours,
+            with_traction, "0, 0.3", k_ours,
             "A pair of triangles is skipped when n_A . n_B is at least this."},
         Key{"contact", "h0", reach<&S::contact, &Contact::h0_um>(), length, positive, {}, {},
             "0.3 um", k_table_2, "Range of adhesion, for each of the two surfaces."},

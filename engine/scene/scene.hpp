@@ -90,7 +90,7 @@ struct Medium {  // eqn (14)
     double eta_f_kPa_s = 0.05;
 };
 
-enum class ContactLaw { traction };
+enum class ContactLaw { traction, variational };
 enum class Precision { single_precision, double_precision };
 enum class OmegaReading { printed, text, two_sided, per_cell, work_of_adhesion };
 
@@ -98,7 +98,7 @@ struct Contact {  // eqns (5)-(7)
     Loc loc;
     ContactLaw law = ContactLaw::traction;
     Precision precision = Precision::single_precision;  ///< of the geometry of a pair of triangles
-    double reject_cos = 0.0;  ///< a pair is skipped when n_A . n_B >= this
+    double reject_cos = 0.0;  ///< traction: a pair is skipped when n_A . n_B >= this
     double h0_um = 0.3;
     OmegaReading omega_reading = OmegaReading::text;
     double omega_nN_per_um = 0.0;       ///< as given; 0 with reading work_of_adhesion

@@ -33,7 +33,10 @@ System::System(Model model, SystemParts parts, int n_threads, Need also)
         work_.terms.push_back({std::string(term->name()), 0});
     }
     if (parts_.contact) {
-        search_.emplace(*parts_.contact, parts_.contact_precision);
+        if (parts_.contact->form == ContactForm::variational)
+            variational_search_.emplace(*parts_.contact);
+        else
+            search_.emplace(*parts_.contact, parts_.contact_precision);
         needs_ = needs_ | Need::contacts | Need::triangles;
     }
     allocate(now_);
@@ -76,8 +79,10 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
         workers_.loop(model_.n_cells(), [&](int cell) {
             now_.geometry.compute_cell(model_, now_.x_um, needs_, cell);
         });
-    if (search_) {
-        search_->find(model_, now_.x_um, now_.geometry, workers_, now_.contacts);
+    if (search_) search_->find(model_, now_.x_um, now_.geometry, workers_, now_.contacts);
+    if (variational_search_)
+        variational_search_->find(model_, now_.x_um, now_.geometry, workers_, now_.contacts);
+    if (parts_.contact) {
         ++work_.contact_searches;
         now_.pairs.clear();
         if (parts_.frictions.contact && !wants_stiffness)
@@ -103,7 +108,7 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
 }
 
 void System::evaluate_stiffness() {
-    if (search_)
+    if (parts_.contact)
         now_.pairs.build(model_, now_.contacts, parts_.frictions.contact,
                          parts_.contact->k_kPa_per_um, workers_);
     now_.stiffness.resize(model_.radius_um.size());
@@ -235,10 +240,12 @@ SolveOutcome System::solve_implicit(double dt_s, std::span<const double> volume_
 
 Work System::work() const {
     Work work = work_;
-    if (search_) {
-        work.contact_candidates = search_->counts().candidates;
-        work.contact_pairs = search_->counts().active_pairs;
-        work.contact_too_deep = search_->counts().too_deep;
+    if (parts_.contact) {
+        const ContactSearch::Counts& counts =
+            search_ ? search_->counts() : variational_search_->counts();
+        work.contact_candidates = counts.candidates;
+        work.contact_pairs = counts.active_pairs;
+        work.contact_too_deep = counts.too_deep;
     }
     return work;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/contact/contact_search.hpp"
+#include "engine/contact/variational_search.hpp"
 #include "engine/forces/cytosol_pressure.hpp"
 #include "engine/forces/force_term.hpp"
 #include "engine/model/state.hpp"
@@ -121,7 +122,8 @@ class System {
     SystemParts parts_;
     Workers workers_;
     Need needs_ = Need::none;
-    std::optional<ContactSearch> search_;
+    std::optional<ContactSearch> search_;                  // law `traction`
+    std::optional<VariationalSearch> variational_search_;  // law `variational`
     std::vector<double> drag_;
     std::vector<double> volume_friction_;
     Evaluation now_;

@@ -6,6 +6,7 @@
 #include "engine/forces/body_force.hpp"
 #include "engine/forces/compaction_wall.hpp"
 #include "engine/forces/contact_traction.hpp"
+#include "engine/forces/contact_variational.hpp"
 #include "engine/forces/fold_stop.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/forces/strain_limiter.hpp"
@@ -40,10 +41,13 @@ bool has_wall(const scene::Scene& scene) {
 }
 
 ContactLaw contact_law(const scene::Contact& contact) {
-    return contact.adhesive
-               ? adhesive_law(contact.W_nN_per_um, contact.h0_um, contact.equilibrium_overlap_h0,
-                              contact.reject_cos)
-               : repulsive_law(contact.repulsion_k_kPa_per_um, contact.h0_um, contact.reject_cos);
+    ContactLaw law =
+        contact.adhesive
+            ? adhesive_law(contact.W_nN_per_um, contact.h0_um, contact.equilibrium_overlap_h0,
+                           contact.reject_cos)
+            : repulsive_law(contact.repulsion_k_kPa_per_um, contact.h0_um, contact.reject_cos);
+    if (contact.law == scene::ContactLaw::variational) law.form = ContactForm::variational;
+    return law;
 }
 
 /// Stiffness of the compaction wall per area: a multiple of the contacts' own.
@@ -185,7 +189,10 @@ SystemParts build_parts(const scene::Scene& scene) {
         parts.contact_precision = p->precision == scene::Precision::single_precision
                                       ? ContactPrecision::single_precision
                                       : ContactPrecision::double_precision;
-        add(std::make_unique<ContactTraction>(p->loc));
+        if (parts.contact->form == ContactForm::variational)
+            add(std::make_unique<ContactVariational>(p->loc));
+        else
+            add(std::make_unique<ContactTraction>(p->loc));
         if (p->friction_normal_kPa_s_per_um)
             parts.frictions.contact = ContactFriction{*p->friction_normal_kPa_s_per_um,
                                                       *p->friction_tangential_kPa_s_per_um};

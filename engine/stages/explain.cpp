@@ -41,6 +41,15 @@ PlanRow regularisation_row(const scene::Scene& scene, const ForceTermRow& term) 
     return row;
 }
 
+PlanRow contact_row(const scene::Scene& scene, std::string_view part, scene::ContactLaw law) {
+    PlanRow row = table_row(part, "(5), (6), (7)", scene.contact, "contact");
+    if (scene.contact && scene.contact->law != law) {
+        row.is_in = false;
+        row.because = "contact.law is the other one (" + place(scene.contact->loc) + ")";
+    }
+    return row;
+}
+
 PlanRow term_row(const scene::Scene& scene, const ForceTermRow& term) {
     const scene::Cortex& cortex = scene.cortex;
     const std::string name(term.name);
@@ -57,7 +66,8 @@ PlanRow term_row(const scene::Scene& scene, const ForceTermRow& term) {
 
 void add_forces(const scene::Scene& scene, std::vector<PlanRow>& rows) {
     for (const ForceTermRow& term : force_terms()) rows.push_back(term_row(scene, term));
-    rows.push_back(table_row("contact", "(5), (6), (7)", scene.contact, "contact"));
+    rows.push_back(contact_row(scene, "contact, law traction", scene::ContactLaw::traction));
+    rows.push_back(contact_row(scene, "contact, law variational", scene::ContactLaw::variational));
     rows.push_back(table_row("contact search", "", scene.contact, "contact"));
 }
 

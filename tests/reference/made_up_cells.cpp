@@ -5,6 +5,7 @@
 #include "engine/forces/bending.hpp"
 #include "engine/forces/body_force.hpp"
 #include "engine/forces/contact_traction.hpp"
+#include "engine/forces/contact_variational.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/friction/cortex_viscosity.hpp"
 
@@ -48,7 +49,10 @@ SystemParts make_parts(const PartValues& v) {
         parts.frictions.edge_nN_s_per_um = edge_friction_nN_s_per_um(v.eta_kPa_s, k_thickness_um);
     if (v.contact) {
         parts.contact = v.contact;
-        add(std::make_unique<ContactTraction>(loc));
+        if (v.contact->form == ContactForm::variational)
+            add(std::make_unique<ContactVariational>(loc));
+        else
+            add(std::make_unique<ContactTraction>(loc));
         parts.frictions.contact = v.contact_friction;
     }
     return parts;

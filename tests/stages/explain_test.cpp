@@ -43,6 +43,7 @@ const std::vector<std::string>& scenes() {
         k_shell + euler + viscosity + contact,
         k_shell + euler + viscosity + contact + friction,
         k_shell + contact,
+        k_shell + "[contact]\nlaw = \"variational\"\n[contact.adhesion]\nW = \"0.25 nN/um\"\n",
         k_shell + "[cortex.elastic]\nE = \"20 kPa\"\n[cortex.bending]\n" + viscosity,
         k_shell + contact + "[[stage]]\nkind = \"compact\"\nduration = \"0.01 s\"\n",
         k_shell + "[load.body_force]\nforce = [\"0 nN\", \"0 nN\", \"0.1 nN\"]\nopposed = true\n"};
@@ -65,7 +66,10 @@ TEST(Explain, NamesExactlyTheTermsThatAreBuilt) {
         const std::vector<PlanRow> plan = explain(scene);
         for (const ForceTermRow& term : force_terms())
             if (row_of(plan, term.name).is_in) said.insert(std::string(term.name));
-        if (row_of(plan, "contact").is_in) said.insert("contact");
+        const bool by_traction = row_of(plan, "contact, law traction").is_in;
+        const bool by_energy = row_of(plan, "contact, law variational").is_in;
+        EXPECT_FALSE(by_traction && by_energy);
+        if (by_traction || by_energy) said.insert("contact");
         EXPECT_EQ(said, built);
     }
 }
