@@ -145,7 +145,8 @@ def contacts_of_cells(cell_a, cell_b, x_a, x_b, normals_a, normals_b, triangles,
     d0 = (law.h0 + np.sum(n_b * (b[:, 0] - origin), axis=1) + law.h0) / c
     du = -np.sum((n_a + n_b) * e1, axis=1) / c
     dv = -np.sum((n_a + n_b) * e2, axis=1) / c
-    highest = (d0[:, None] + du[:, None] * flat_a[..., 0] + dv[:, None] * flat_a[..., 1]).max(axis=1)
+    at_corners = d0[:, None] + du[:, None] * flat_a[..., 0] + dv[:, None] * flat_a[..., 1]
+    highest = at_corners.max(axis=1)
     boxes_meet = np.all(
         (flat_a.min(axis=1) <= flat_b.max(axis=1)) & (flat_b.min(axis=1) <= flat_a.max(axis=1)),
         axis=1,

@@ -77,10 +77,9 @@ class Mesh:
         opposite = {}  # of a directed edge: third corner and triangle
         for t, (i, j, k) in enumerate(faces):
             opposite[i, j], opposite[j, k], opposite[k, i] = (k, t), (i, t), (j, t)
-        self.edges = np.array(
-            [(i, j, opposite[i, j][0], opposite[j, i][0]) for i, j in opposite if i < j]
-        )
-        self.sides = np.array([(opposite[i, j][1], opposite[j, i][1]) for i, j in opposite if i < j])
+        once = [(i, j) for i, j in opposite if i < j]
+        self.edges = np.array([(i, j, opposite[i, j][0], opposite[j, i][0]) for i, j in once])
+        self.sides = np.array([(opposite[i, j][1], opposite[j, i][1]) for i, j in once])
         # Rest lengths, areas, angles.
         i, j, a, b = self.edges.T
         self.edge_length = np.linalg.norm(points[j] - points[i], axis=1)
