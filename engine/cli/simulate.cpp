@@ -1,5 +1,6 @@
 #include "engine/cli/simulate.hpp"
 
+#include "engine/cli/accuracy_text.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/store_thread.hpp"
@@ -136,6 +137,32 @@ void take_from_file(const RunFileReader& reader, const scene::Scene& scene,
     if (is_over(summary.result.verdict)) summary.expectations = check_expectations(scene, *last);
 }
 
+/// The same run, without frames, on the next coarser mesh. If it comes to no end the error of the
+/// mesh stays unknown, and the log says why.
+void estimate_mesh_error(const scene::Scene& scene, const EngineOptions& options,
+                         const std::atomic<bool>& stop, RunResult& result) {
+    scene::Scene coarser = scene;
+    coarser.cells.nodes = (scene.cells.nodes + 6) / 4;  // each subdivision makes 4 n - 6 of n
+    for (scene::Stage& stage : coarser.stages) {
+        stage.nodes = std::min(stage.nodes, coarser.cells.nodes);
+        stage.frames = 0;
+    }
+    spdlog::info("once more with {} nodes per cell, for the error of the mesh",
+                 coarser.cells.nodes);
+    EngineOptions once = options;
+    once.wall_limit_s = 0.0;
+    Engine engine(coarser, once);
+    EngineSinks sinks;
+    sinks.frame = [](const SnapshotPtr&) { return std::optional<std::string>(); };
+    const RunResult other = engine.run(sinks, stop);
+    result.wall_s += other.wall_s;
+    if (is_over(other.verdict))
+        add_mesh_error(result.errors, other.totals);
+    else
+        spdlog::warn("the run on the coarser mesh ended as '{}': no error of the mesh {}",
+                     other.outcome, other.message);
+}
+
 SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene& scene,
                                       const Engine& engine) {
     const RunFileReader reader(place.run_file());
@@ -146,6 +173,7 @@ SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene&
         result.outcome == name_of(StageEnd::cap) ? RunVerdict::cap : RunVerdict::finished;
     result.wall_s = reader.end().wall_time_s;
     result.frames = reader.n_frames();
+    result.errors = reader.end().errors;
     result.state_hash = engine.state().state.hash();
     take_from_file(reader, scene, summary);
     summary.code = exit_code(summary, ExitCode::ok);
@@ -236,7 +264,9 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
         result.message = *reason;
     }
     if (!store.has_failed()) {
-        store.finish({is_over(result.verdict), result.outcome, result.wall_s});
+        if (is_over(result.verdict) && scene.measures.mesh_error)
+            estimate_mesh_error(scene, engine_options, interrupts.stop(), result);
+        store.finish({is_over(result.verdict), result.outcome, result.wall_s, result.errors});
         const RunFileReader reader(place.run_file());
         write_xdmf(reader);
         if (!store.last())
@@ -264,6 +294,7 @@ std::string summary_text(const SimulationSummary& summary, const RunPlace& place
     if (!summary.contact_arithmetic.empty())
         text += fmt::format("contact kernel       {}\n", summary.contact_arithmetic);
     text += totals_text(r.totals);
+    text += accuracy_text(r.errors);
     for (const Expectation& row : summary.expectations)
         text += fmt::format("expect {:<22} {} in [{:.6g}, {:.6g}] {}: {}\n", row.measure,
                             fmt::format("{:.6g}", row.value), row.min, row.max, row.unit,
@@ -291,6 +322,7 @@ nlohmann::json summary_json(const SimulationSummary& summary, const RunPlace& pl
             {"wall_s", r.wall_s},
             {"frames", r.frames},
             {"totals", totals_json(r.totals)},
+            {"errors", accuracy_json(r.errors)},
             {"work", work_json(r.work)},
             {"contact_arithmetic", summary.contact_arithmetic},
             {"expectations", expectations},

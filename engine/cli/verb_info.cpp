@@ -1,3 +1,4 @@
+#include "engine/cli/accuracy_text.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/options.hpp"
 #include "engine/cli/progress.hpp"
@@ -33,7 +34,8 @@ nlohmann::json describe(const RunFileReader& reader, const SnapshotPtr& last) {
                             {"frames", reader.n_frames()},
                             {"complete", reader.is_complete()},
                             {"outcome", reader.outcome()},
-                            {"wall_s", reader.end().wall_time_s}};
+                            {"wall_s", reader.end().wall_time_s},
+                            {"errors", accuracy_json(reader.end().errors)}};
     if (last) {
         document["time_s"] = last->time_s;
         document["steps"] = last->diagnostics.steps;
@@ -61,7 +63,7 @@ std::string describe_in_words(const RunFileReader& reader, const SnapshotPtr& la
                         "rejected), {} linear iterations\n",
                         last->time_s, last->stage_name, last->diagnostics.steps,
                         last->diagnostics.rejected_steps, last->diagnostics.linear_iterations);
-    return text + totals_text(last->totals);
+    return text + totals_text(last->totals) + accuracy_text(reader.end().errors);
 }
 
 ExitCode info(const InfoArguments& arguments) {

@@ -101,6 +101,7 @@ void Engine::refine_to(int n_nodes) {
     state.v_um_per_s.assign(state.x_um.size(), Vec3::Zero());
     state.has_velocity = false;
     state.next_dt_s = 0.0;
+    run_.errors.forget_velocities();
 }
 
 Engine::~Engine() = default;
@@ -134,6 +135,7 @@ RunResult Engine::run(const EngineSinks& sinks, const std::atomic<bool>& stop) {
         result_.verdict = run_.met_cap ? RunVerdict::cap : RunVerdict::finished;
         result_.outcome = run_.met_cap ? "cap" : std::string(name_of(run_.end));
         write_checkpoint();
+        result_.errors = estimate_errors();
     }
     result_.wall_s = wall_clock_s() - started_wall_s_;
     result_.work = earlier_work_;
@@ -227,6 +229,7 @@ Engine::Next Engine::advance(const scene::Stage& parameters) {
             return Next::stop;
         }
         ++d.steps;
+        run_.errors.after_step(step.dt_s, run_.state.v_um_per_s);
         d.dt_s = step.dt_s;
         d.force_residual_nN = step.force_rms_nN;
         d.force_balance_nN = step.force_sum_nN;
@@ -238,6 +241,7 @@ Engine::Next Engine::advance(const scene::Stage& parameters) {
         if (end != StageEnd::none || run_.state.time_s >= output_s) {
             if (run_.state.time_s >= output_s) ++run_.outputs_in_stage;
             const Totals totals = measure();
+            run_.errors.after_measurement(run_.state.time_s, run_.state.v_um_per_s);
             if (end == StageEnd::none || end == StageEnd::cap) {
                 const StageEnd met = stage->after_measure(context, totals);
                 if (met != StageEnd::none) end = met;
@@ -261,6 +265,31 @@ void Engine::finish_stage(StageEnd end) {
     run_.stage_has_begun = false;
     run_.outputs_in_stage = 0;
     write_checkpoint();
+}
+
+std::vector<MeasureError> Engine::estimate_errors() {
+    if (run_.diagnostics.steps == 0 || scene_.stages.empty()) return {};
+    const int order = chosen_method(scene_).order;
+    const std::optional<Totals> by_time = totals_moved_by(run_.errors.time_error_um(order));
+    // Only what was to come to rest is wrong by not being there.
+    const bool wants_rest = scene_.stages.back().until != scene::Until::duration;
+    const std::optional<Totals> by_rest = wants_rest
+                                              ? totals_moved_by(run_.errors.missing_displacement_um(
+                                                    run_.state.time_s - run_.memory.start_s))
+                                              : std::nullopt;
+    return measure_errors(result_.totals, by_time ? &*by_time : nullptr,
+                          by_rest ? &*by_rest : nullptr);
+}
+
+std::optional<Totals> Engine::totals_moved_by(std::span<const Vec3> displacement_um) {
+    if (displacement_um.size() != run_.state.x_um.size()) return {};
+    std::vector<Vec3> x_um = run_.state.x_um;
+    for (std::size_t i = 0; i < x_um.size(); ++i) x_um[i] += displacement_um[i];
+    if (system_->evaluate(x_um, run_.state.volume_integral_s, 0.0, System::Detail::forces))
+        return {};
+    Totals totals = compute_totals(measure_input(system_->configuration()));
+    totals.energy_fJ = system_->energy_fJ();
+    return totals;
 }
 
 MeasureInput Engine::measure_input(const Configuration& at) {

@@ -54,7 +54,8 @@ struct RunResult {
     std::string message;  ///< what went wrong, with term, cell and scene line; "" if nothing did
     double wall_s = 0.0;  ///< of this process
     Work work;
-    Totals totals{};  ///< of the last measurement
+    Totals totals{};                   ///< of the last measurement
+    std::vector<MeasureError> errors;  ///< of the end of a run that is over; else empty
     double time_s = 0.0;
     bool time_is_physical = true;  ///< false for a method that only looks for an end state
     int frames = 0;
@@ -94,6 +95,9 @@ class Engine {
     /// Reports progress, writes a checkpoint when one is due, obeys stop and the time limit.
     [[nodiscard]] Next between_steps(double progress);
     void finish_stage(StageEnd end);
+    [[nodiscard]] std::vector<MeasureError> estimate_errors();
+    /// Measures of the end state moved by this displacement [all nodes]; empty if there is none.
+    [[nodiscard]] std::optional<Totals> totals_moved_by(std::span<const Vec3> displacement_um);
     void write_checkpoint();
     [[nodiscard]] MeasureInput measure_input(const Configuration& at);
 

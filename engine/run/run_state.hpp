@@ -2,6 +2,7 @@
 
 #include "engine/model/state.hpp"
 #include "engine/run/checkpoint_data.hpp"
+#include "engine/run/error_estimate.hpp"
 #include "engine/run/snapshot.hpp"
 #include "engine/stages/bead_packing.hpp"
 #include "engine/stages/stage.hpp"
@@ -27,6 +28,7 @@ struct RunState {
     double energy_fJ = 0.0;      ///< at the last measurement
     double dissipated_fJ = 0.0;  ///< integral of v . Gamma v since then
     double driven_fJ = 0.0;      ///< work put in by the wall and the controller since then
+    ErrorCollector errors;
     Diagnostics diagnostics;
     StageEnd end = StageEnd::none;  ///< how the last finished stage ended
     bool met_cap = false;           ///< a stage has ended at its cap

@@ -400,6 +400,10 @@ const auto& keys() {
         Key{"measures", "touching_area", reach<&S::measures, &Measures::touching_area_um2>(), area,
             not_negative, {}, {}, "0.01 ... 1 um^2", k_ours,
             "Two cells touch above this contact area."},
+        Key{"measures", "mesh_error", reach<&S::measures, &Measures::mesh_error>(), number, {}, {},
+            {}, "", k_ours,
+            "Run once more on the next coarser mesh (about a fifth of the time), and say how wrong "
+            "the measures are by the mesh."},
         Key{"picture", "name", reach<&S::pictures, &Picture::name>(), number, {}, {}, {}, "", "",
             "Part of file names; each picture has its own."},
         Key{"picture", "field", reach<&S::pictures, &Picture::field>(), number, {}, {}, {}, "", "",

@@ -348,6 +348,20 @@ void resolve_pictures(Draft& draft) {
     }
 }
 
+void check_measures(const Draft& draft) {
+    const Scene& scene = draft.scene;
+    if (scene.measures.mesh_error && scene.cells.nodes == 42)
+        throw Error(
+            loc_of(draft, "measures.mesh_error"),
+            "measures.mesh_error wants a coarser mesh to compare with, and cells.nodes = 42 "
+            "is the coarsest",
+            "cells.nodes = 162 has one");
+    if (scene.measures.mesh_error && scene.cells.arrangement == Arrangement::file)
+        throw Error(loc_of(draft, "measures.mesh_error"),
+                    "measures.mesh_error cannot be had for cells from a file",
+                    "they are there on one mesh only");
+}
+
 void resolve_expect(Draft& draft) {
     for (std::size_t k = 0; k < draft.scene.expect.size(); ++k) {
         Expect& expect = draft.scene.expect[k];
@@ -384,6 +398,7 @@ void resolve(Draft& draft) {
     check_surroundings(draft);
     check_stages(draft);
     resolve_stage_meshes(draft);
+    check_measures(draft);
     resolve_pictures(draft);
     resolve_expect(draft);
 }

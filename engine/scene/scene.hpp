@@ -159,6 +159,7 @@ struct Measures {
     std::vector<std::string> fields;  ///< rows of the table of fields, evaluated at output times;
                                       ///< resolved: with those that pictures show
     double touching_area_um2 = 0.1;   ///< a pair of cells touches above this contact area
+    bool mesh_error = false;          ///< run once more on the next coarser mesh, for the estimate
 };
 
 /// One view of the spheroid; the first one is what `movie` shows.

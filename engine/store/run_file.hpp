@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/run/error_estimate.hpp"
 #include "engine/run/snapshot.hpp"
 
 #include <memory>
@@ -17,7 +18,8 @@ struct RunEnd {
     bool is_complete = false;  ///< all stages came to their end
     std::string
         outcome;  ///< in words: "rest", "cap", "interrupted", ... ; "" while the run goes on
-    double wall_time_s = 0.0;  ///< what the run took
+    double wall_time_s = 0.0;          ///< what the run took
+    std::vector<MeasureError> errors;  ///< how wrong the measures of the end are; /accuracy
 };
 
 /// Writes a run to an HDF5 file, one group per frame (engine/store/README.md). Whatever kills the

@@ -14,6 +14,9 @@
 // description).
 namespace spheroscope::run_format {
 
+/// Group of the error estimates: one group per measure in it.
+constexpr const char* k_accuracy = "/accuracy";
+
 inline constexpr std::string_view k_format = "spheroscope run";
 /// Goes up when a reader of the version before would misunderstand the file.
 inline constexpr std::int64_t k_format_version = 1;

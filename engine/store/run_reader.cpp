@@ -51,8 +51,19 @@ double read_column(const File& file, const run_format::Column& column, int frame
 }
 
 RunEnd read_end(const File& file) {
-    return {file.int_attribute("/", "complete") != 0, file.text_attribute("/", "outcome"),
-            file.double_attribute("/", "wall_time_s")};
+    RunEnd end{file.int_attribute("/", "complete") != 0,
+               file.text_attribute("/", "outcome"),
+               file.double_attribute("/", "wall_time_s"),
+               {}};
+    for (const std::string_view measure : estimated_measures()) {
+        const std::string group = std::string(run_format::k_accuracy) + "/" + std::string(measure);
+        if (!file.exists(run_format::k_accuracy) || !file.exists(group)) continue;
+        end.errors.push_back(
+            {std::string(measure), file.text_attribute(group, "unit"),
+             file.double_attribute(group, "value"), file.double_attribute(group, "time"),
+             file.double_attribute(group, "rest"), file.double_attribute(group, "mesh")});
+    }
+    return end;
 }
 
 }  // namespace

@@ -19,6 +19,18 @@ void write_end(File& file, const RunEnd& end) {
     file.write_attribute("/", "complete", std::int64_t{end.is_complete ? 1 : 0});
     file.write_attribute("/", "outcome", end.outcome);
     file.write_attribute("/", "wall_time_s", end.wall_time_s);
+    if (file.exists(run_format::k_accuracy)) file.remove(run_format::k_accuracy);
+    if (end.errors.empty()) return;
+    file.create_group(run_format::k_accuracy);
+    for (const MeasureError& error : end.errors) {
+        const std::string group = std::string(run_format::k_accuracy) + "/" + error.measure;
+        file.create_group(group);
+        file.write_attribute(group, "unit", error.unit);
+        file.write_attribute(group, "value", error.value);
+        file.write_attribute(group, "time", error.time);
+        file.write_attribute(group, "rest", error.rest);
+        file.write_attribute(group, "mesh", error.mesh);
+    }
 }
 
 void write_floats(File& file, const std::string& object, const std::vector<float>& values,

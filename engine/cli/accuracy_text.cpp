@@ -1,0 +1,61 @@
+#include "engine/cli/accuracy_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace spheroscope::cli {
+namespace {
+
+nlohmann::json number_or_null(double value) {
+    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+}  // namespace
+
+std::string accuracy_text(const std::vector<MeasureError>& errors) {
+    if (errors.empty()) return "";
+    std::string text = "estimated errors of the end:\n";
+    const MeasureError* worst = nullptr;
+    for (const MeasureError& error : errors) {
+        const double total = error.total();
+        std::string parts;
+        for (const auto& [name, part] :
+             {std::pair{"time", error.time}, {"rest", error.rest}, {"mesh", error.mesh}})
+            if (!std::isnan(part))
+                parts += fmt::format("{}{} {:.2g}", parts.empty() ? "" : ", ", name, part);
+        const std::string unit = error.unit == "1" ? "" : " " + error.unit;
+        if (std::isnan(total)) {
+            text += fmt::format("  {:<18} {:.5g}{}, error not known\n", error.measure, error.value,
+                                unit);
+            continue;
+        }
+        text += error.is_resolved() ? fmt::format("  {:<18} {:.5g} +- {:.2g}{} ({})\n",
+                                                  error.measure, error.value, total, unit, parts)
+                                    : fmt::format("  {:<18} not resolved: error {:.2g}{} ({})\n",
+                                                  error.measure, total, unit, parts);
+        const auto relative = [](const MeasureError& e) { return e.total() / std::abs(e.value); };
+        if (worst == nullptr || relative(error) > relative(*worst)) worst = &error;
+    }
+    if (worst != nullptr)
+        text += fmt::format("  largest: {}; {}\n", worst->measure, worst->advice());
+    return text;
+}
+
+nlohmann::json accuracy_json(const std::vector<MeasureError>& errors) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const MeasureError& error : errors)
+        list.push_back({{"measure", error.measure},
+                        {"unit", error.unit},
+                        {"value", number_or_null(error.value)},
+                        {"error", number_or_null(error.total())},
+                        {"time", number_or_null(error.time)},
+                        {"rest", number_or_null(error.rest)},
+                        {"mesh", number_or_null(error.mesh)},
+                        {"resolved", error.is_resolved()},
+                        {"advice", error.advice()}});
+    return list;
+}
+
+}  // namespace spheroscope::cli

@@ -1,0 +1,129 @@
+#include "engine/run/error_estimate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace spheroscope {
+namespace {
+
+constexpr std::array<std::string_view, 6> k_measures{
+    "contact_area", "contact_fraction", "sigma_h_core", "sigma_h_rim", "sigma_h_size", "energy"};
+
+double rms(std::span<const Vec3> v) {
+    double sum = 0.0;
+    for (const Vec3& u : v) sum += u.squaredNorm();
+    return v.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(v.size()));
+}
+
+}  // namespace
+
+double MeasureError::total() const {
+    double sum = 0.0;
+    bool is_known = false;
+    for (const double part : {time, rest, mesh})
+        if (!std::isnan(part)) {
+            sum += part * part;
+            is_known = true;
+        }
+    return is_known ? std::sqrt(sum) : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool MeasureError::is_resolved() const { return !(total() > std::abs(value)); }
+
+std::string MeasureError::advice() const {
+    const auto size = [](double part) { return std::isnan(part) ? -1.0 : part; };
+    const double largest = std::max({size(time), size(rest), size(mesh)});
+    if (largest < 0.0) return "";
+    if (largest == size(mesh)) return "mesh: a finer mesh (cells.nodes) divides it by 2.8";
+    if (largest == size(rest)) return "not at rest: a longer relaxation halves it";
+    return "time steps: a quarter of method.tolerance, or half of method.dt, halves it";
+}
+
+std::span<const std::string_view> estimated_measures() { return k_measures; }
+
+void ErrorCollector::after_step(double dt_s, std::span<const Vec3> v_um_per_s) {
+    Memory& m = memory;
+    m.sum_dt2_s2 += dt_s * dt_s;
+    m.sum_dt3_s3 += dt_s * dt_s * dt_s;
+    std::swap(m.v_um_per_s[2], m.v_um_per_s[1]);  // the oldest array is written over
+    std::swap(m.v_um_per_s[1], m.v_um_per_s[0]);
+    m.v_um_per_s[0].assign(v_um_per_s.begin(), v_um_per_s.end());
+    m.dt_s[2] = m.dt_s[1];
+    m.dt_s[1] = m.dt_s[0];
+    m.dt_s[0] = dt_s;
+}
+
+void ErrorCollector::after_measurement(double time_s, std::span<const Vec3> v_um_per_s) {
+    memory.time_s[1] = memory.time_s[0];
+    memory.speed_um_per_s[1] = memory.speed_um_per_s[0];
+    memory.time_s[0] = time_s;
+    memory.speed_um_per_s[0] = rms(v_um_per_s);
+}
+
+void ErrorCollector::forget_velocities() {
+    for (std::vector<Vec3>& v : memory.v_um_per_s) v.clear();
+}
+
+std::vector<Vec3> ErrorCollector::time_error_um(int order) const {
+    const Memory& m = memory;
+    const auto& v = m.v_um_per_s;
+    const std::size_t n = v[0].size();
+    if (order < 1 || n == 0 || v[1].size() != n || (order > 1 && v[2].size() != n)) return {};
+    // A velocity belongs to the middle of its step.
+    const double between_s = 0.5 * (m.dt_s[0] + m.dt_s[1]);
+    std::vector<Vec3> e(n);
+    if (order == 1) {
+        for (std::size_t i = 0; i < n; ++i)
+            e[i] = (0.5 * m.sum_dt2_s2 / between_s) * (v[0][i] - v[1][i]);
+        return e;
+    }
+    const double before_s = 0.5 * (m.dt_s[1] + m.dt_s[2]);
+    const double apart_s = 0.5 * (between_s + before_s);
+    for (std::size_t i = 0; i < n; ++i)
+        e[i] = (m.sum_dt3_s3 / 6.0 / apart_s) *
+               ((v[0][i] - v[1][i]) / between_s - (v[1][i] - v[2][i]) / before_s);
+    return e;
+}
+
+std::vector<Vec3> ErrorCollector::missing_displacement_um(double stage_s) const {
+    const Memory& m = memory;
+    const double span_s = m.time_s[0] - m.time_s[1];
+    if (m.v_um_per_s[0].empty() || !(span_s > 0.0)) return {};
+    const double rate_per_s = m.speed_um_per_s[0] > 0.0
+                                  ? std::log(m.speed_um_per_s[1] / m.speed_um_per_s[0]) / span_s
+                                  : 0.0;
+    const double horizon_s = rate_per_s * stage_s > 1.0 ? 1.0 / rate_per_s : stage_s;
+    std::vector<Vec3> displacement;
+    displacement.reserve(m.v_um_per_s[0].size());
+    for (const Vec3& v : m.v_um_per_s[0]) displacement.push_back(horizon_s * v);
+    return displacement;
+}
+
+std::vector<MeasureError> measure_errors(const Totals& end, const Totals* moved_by_time,
+                                         const Totals* moved_by_rest) {
+    std::vector<MeasureError> errors;
+    for (const TotalsRow& row : all_totals()) {
+        if (std::find(k_measures.begin(), k_measures.end(), row.name) == k_measures.end()) continue;
+        MeasureError error;
+        error.measure = row.name;
+        error.unit = row.unit;
+        error.value = value_of(row, end);
+        if (std::isnan(error.value)) continue;
+        if (moved_by_time) error.time = std::abs(value_of(row, *moved_by_time) - error.value);
+        if (moved_by_rest) error.rest = std::abs(value_of(row, *moved_by_rest) - error.value);
+        errors.push_back(std::move(error));
+    }
+    return errors;
+}
+
+void add_mesh_error(std::vector<MeasureError>& errors, const Totals& coarser) {
+    const double factor = 1.0 / (std::pow(2.0, 1.5) - 1.0);
+    for (MeasureError& error : errors)
+        for (const TotalsRow& row : all_totals())
+            if (row.name == error.measure)
+                error.mesh = factor * std::abs(value_of(row, coarser) - error.value);
+}
+
+}  // namespace spheroscope

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "engine/measures/totals.hpp"
+#include "engine/model/state.hpp"
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace spheroscope {
+
+/// How wrong one measure of a run's end is thought to be, in the measure's unit; NaN: not known.
+struct MeasureError {
+    std::string measure;  ///< name of the row of the table of totals
+    std::string unit;
+    double value = 0.0;
+    double time = std::numeric_limits<double>::quiet_NaN();  ///< by the finite steps
+    double rest = std::numeric_limits<double>::quiet_NaN();  ///< by ending before rest
+    double mesh = std::numeric_limits<double>::quiet_NaN();  ///< by the finite mesh, if asked for
+
+    /// Root of the sum of the squares of those that are known; NaN if none is.
+    [[nodiscard]] double total() const;
+    /// The error is not larger than the value.
+    [[nodiscard]] bool is_resolved() const;
+    /// The largest part, and what would halve it, in words; "" if no part is known.
+    [[nodiscard]] std::string advice() const;
+};
+
+/// The rows of the table of totals that error estimates are made for.
+[[nodiscard]] std::span<const std::string_view> estimated_measures();
+
+/// What a run collects on its way to say how wrong its end is.
+///
+/// For x' = f(x) a method of order p with steps dt_n makes the error e(t) that solves
+/// e' = f'(x) e + c dt^p x^(p+1), to leading order. Since f' x' = x'', and so on for the next
+/// derivatives where f is nearly linear, e = c (sum of dt_n^(p+1)) x^(p+1)(t) is its solution: what
+/// all steps have left behind, propagated to the end, is seen in the last velocities alone. It
+/// vanishes at rest, as it must. c = 1/2 for the Euler methods; of second order, 1/6.
+///
+/// What ends before rest still moves by v / lambda, with lambda the rate at which the speed has
+/// fallen lately; where it does not fall, by what as much time again as the stage's would bring.
+class ErrorCollector {
+  public:
+    /// After an accepted step of dt_s that left v in the state.
+    void after_step(double dt_s, std::span<const Vec3> v_um_per_s);
+    /// At a measurement: the speed then, RMS over all nodes.
+    void after_measurement(double time_s, std::span<const Vec3> v_um_per_s);
+    /// The cells are on another mesh now.
+    void forget_velocities();
+
+    /// e [all nodes], um, of a method of this order; empty while there are too few steps or the
+    /// order is 0.
+    [[nodiscard]] std::vector<Vec3> time_error_um(int order) const;
+    /// The displacement that is left to do [all nodes]; stage_s: how long the stage has lasted.
+    [[nodiscard]] std::vector<Vec3> missing_displacement_um(double stage_s) const;
+
+    /// For checkpoints.
+    struct Memory {
+        double sum_dt2_s2 = 0.0, sum_dt3_s3 = 0.0;
+        double dt_s[3] = {0.0, 0.0, 0.0};  ///< of the last steps, newest first
+        double time_s[2] = {0.0, 0.0};     ///< of the last measurements, newest first
+        double speed_um_per_s[2] = {0.0, 0.0};
+        std::vector<Vec3> v_um_per_s[3];  ///< of the last steps, newest first
+    };
+    Memory memory;
+};
+
+/// Estimates from the measures at the end, at the end moved by the time error, and at the end moved
+/// by what is missing; NaN-filled totals leave a part unknown.
+[[nodiscard]] std::vector<MeasureError>
+measure_errors(const Totals& end, const Totals* moved_by_time, const Totals* moved_by_rest);
+
+/// Adds the error of the mesh from the same run on the mesh of half the fineness: measures converge
+/// with the edge length to the power 3/2 (the contact angle of doublets from 162 to 2562 nodes), so
+/// the finer one is wrong by the difference over 2^(3/2) - 1.
+void add_mesh_error(std::vector<MeasureError>& errors, const Totals& coarser);
+
+}  // namespace spheroscope
