@@ -167,17 +167,27 @@ void OsmesaContext::draw(vtkActor* actor, const Camera& camera, double reach_um,
     h.window->Render();
     h.renderer->RemoveActor(actor);
 
+    read_colours(buffers);
+    buffers.depth_range_um = 2.0 * reach_um;
+    buffers.depth.resize(buffers.rgb.size() / 3);
+    glReadPixels(0, 0, h.width, h.height, GL_DEPTH_COMPONENT, GL_FLOAT, buffers.depth.data());
+}
+
+void OsmesaContext::read_colours(Buffers& buffers) {
+    Hidden& h = *hidden_;
     buffers.width = h.width;
     buffers.height = h.height;
-    buffers.depth_range_um = 2.0 * reach_um;
-    const std::size_t n_pixels =
-        static_cast<std::size_t>(h.width) * static_cast<std::size_t>(h.height);
-    buffers.rgb.resize(3 * n_pixels);
-    buffers.depth.resize(n_pixels);
+    buffers.rgb.resize(3 * static_cast<std::size_t>(h.width) * static_cast<std::size_t>(h.height));
     h.window->GetRenderFramebuffer()->Bind();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, h.width, h.height, GL_RGB, GL_UNSIGNED_BYTE, buffers.rgb.data());
-    glReadPixels(0, 0, h.width, h.height, GL_DEPTH_COMPONENT, GL_FLOAT, buffers.depth.data());
+}
+
+void OsmesaContext::lend(const Work& work) {
+    SPHEROSCOPE_ASSERT(hidden_->thread == std::this_thread::get_id(),
+                       "an OSMesa context is used by the thread that made it");
+    hidden_->mesa.make_current();
+    work(hidden_->window, hidden_->renderer);
 }
 
 void OsmesaContext::probe() {

@@ -3,10 +3,13 @@
 #include "render/camera.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
 class vtkActor;
+class vtkRenderWindow;
+class vtkRenderer;
 
 namespace spheroscope::render {
 
@@ -33,6 +36,13 @@ class OsmesaContext {
     /// Draws one actor on white. `camera` is in pixels of this context; everything within reach_um
     /// of its focal point is inside the depth range.
     void draw(vtkActor* actor, const Camera& camera, double reach_um, Buffers& buffers);
+
+    /// Lends window and renderer, with the context current, to somebody who draws with VTK's own
+    /// tools (charts). What it adds to the renderer it also removes.
+    using Work = std::function<void(vtkRenderWindow*, vtkRenderer*)>;
+    void lend(const Work& work);
+    /// Colours of what was rendered last.
+    void read_colours(Buffers& buffers);
 
   private:
     struct Hidden;

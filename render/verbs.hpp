@@ -9,6 +9,9 @@ namespace spheroscope {
 /// The verbs that make pictures; the program adds them to the engine's.
 [[nodiscard]] std::vector<cli::Verb> render_verbs();
 
+/// Draws the plots of reports.
+[[nodiscard]] reports::DrawPlot plot_drawer();
+
 // One file verb_<name>.cpp each.
 [[nodiscard]] cli::Verb movie_verb();
 [[nodiscard]] cli::Verb render_verb();

@@ -14,7 +14,11 @@ int main(int argc, char** argv) {
     using namespace spheroscope;
     // A full quota of file size is then an error of the write, with a message, and not the end.
     std::signal(SIGXFSZ, SIG_IGN);
-    std::vector<cli::Verb> verbs = cli::engine_verbs();
+    reports::DrawPlot draw;
+#ifdef SPHEROSCOPE_HAS_RENDER
+    draw = plot_drawer();
+#endif
+    std::vector<cli::Verb> verbs = cli::engine_verbs(draw);
 #ifdef SPHEROSCOPE_HAS_RENDER
     for (cli::Verb& verb : render_verbs()) verbs.push_back(std::move(verb));
 #endif

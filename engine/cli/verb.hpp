@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/error.hpp"
+#include "engine/reports/plot.hpp"
 
 #include <functional>
 #include <string>
@@ -30,13 +31,16 @@ struct Verb {
     std::function<VerbAction(CLI::App&)> declare;
 };
 
-/// The verbs that need the engine alone; pictures have their own (render/verbs.hpp).
-[[nodiscard]] std::vector<Verb> engine_verbs();
+/// The verbs that need the engine alone; pictures have their own (render/verbs.hpp). `draw` is for
+/// their plots; empty in a program without pictures.
+[[nodiscard]] std::vector<Verb> engine_verbs(const reports::DrawPlot& draw);
 
 // One file verb_<name>.cpp each.
 [[nodiscard]] Verb check_verb();
 [[nodiscard]] Verb info_verb();
+[[nodiscard]] Verb precision_verb(const reports::DrawPlot& draw);
 [[nodiscard]] Verb run_verb();
 [[nodiscard]] Verb scenes_verb();
+[[nodiscard]] Verb stability_verb(const reports::DrawPlot& draw);
 
 }  // namespace spheroscope::cli

@@ -2,6 +2,9 @@
 
 namespace spheroscope::cli {
 
-std::vector<Verb> engine_verbs() { return {run_verb(), check_verb(), info_verb(), scenes_verb()}; }
+std::vector<Verb> engine_verbs(const reports::DrawPlot& draw) {
+    return {run_verb(),    check_verb(),         info_verb(),
+            scenes_verb(), precision_verb(draw), stability_verb(draw)};
+}
 
 }  // namespace spheroscope::cli

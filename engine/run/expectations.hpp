@@ -21,6 +21,8 @@ struct Expectation {
 /// Measures are the rows of the table of totals. Throws Error for one that does not exist.
 [[nodiscard]] std::vector<Expectation> check_expectations(const scene::Scene& scene,
                                                           const Snapshot& last);
+[[nodiscard]] std::vector<Expectation> check_expectations(const scene::Scene& scene,
+                                                          const Totals& at_the_end);
 
 /// Throws like check_expectations, before anything has run.
 void check_expectation_names(const scene::Scene& scene);

@@ -27,11 +27,22 @@ std::size_t count_of(const Draft& draft, const Table& table) {
     using Presence = Table::Presence;
     switch (table.presence) {
     case Presence::list:
-        return table.path == "stage" ? draft.scene.stages.size() : draft.scene.pictures.size();
-    case Presence::named: return draft.scene.expect.size();
+        if (table.path == "stage") return draft.scene.stages.size();
+        if (table.path == "picture") return draft.scene.pictures.size();
+        SPHEROSCOPE_ASSERT(table.path == "variant", "every list of tables is counted here");
+        return draft.scene.variants.size();
+    case Presence::named:
+        if (table.path == "expect") return draft.scene.expect.size();
+        SPHEROSCOPE_ASSERT(table.path == "stability", "every named table is counted here");
+        return draft.scene.stability.size();
     case Presence::part: return draft.given(table.path) ? 1 : 0;
     default: return table.applies.holds == nullptr || table.applies.holds(draft, 0) ? 1 : 0;
     }
+}
+
+std::string name_of(const Draft& draft, const Table& table, std::size_t item) {
+    return table.path == "expect" ? draft.scene.expect[item].measure
+                                  : draft.scene.stability[item].methods;
 }
 
 }  // namespace
@@ -45,8 +56,8 @@ std::string canonical_text(Draft& draft) {
             if (table.presence == Table::Presence::list)
                 text += fmt::format("[[{}]]\n", table.path);
             else if (table.presence == Table::Presence::named)
-                text += fmt::format("[{}.{}]\n", table.path,
-                                    toml_string(draft.scene.expect[item].measure));
+                text +=
+                    fmt::format("[{}.{}]\n", table.path, toml_string(name_of(draft, table, item)));
             else
                 text += fmt::format("[{}]\n", table.path);
             write_keys(draft, table, item, text);

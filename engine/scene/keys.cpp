@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 5> k_readings{"printed", "text", "two_sid
 constexpr std::array<std::string_view, 5> k_stages{"anneal", "compact", "hold", "release", "relax"};
 constexpr std::array<std::string_view, 3> k_stable_steps{"refuse", "follow", "ignore"};
 constexpr std::array<std::string_view, 3> k_untils{"duration", "rest", "stationary"};
+constexpr std::array<std::string_view, 3> k_outcomes{"ends", "stops", "either"};
 constexpr std::array<std::string_view, 3> k_ranges{"run", "frame", "given"};
 
 constexpr std::string_view k_table_1 = "Cuvelier et al. 2021, Table 1";
@@ -54,6 +55,8 @@ bool makes_spheres(const Draft& d, std::size_t) {
     return arrangement != Arrangement::centres && arrangement != Arrangement::file;
 }
 constexpr Applies with_packing{packs, "with arrangement = \"packing\""};
+constexpr Applies without_packing{[](const Draft& d, std::size_t item) { return !packs(d, item); },
+                                  "where [cells] gives a configuration, so not with a packing"};
 constexpr Applies with_pair{
     [](const Draft& d, std::size_t) { return d.scene.cells.arrangement == Arrangement::pair; },
     "with arrangement = \"pair\""};
@@ -145,6 +148,8 @@ const auto& tables() {
         Table{"cells", required, &enter<&Scene::cells>, {}, "How many cells, how large, where."},
         Table{"cells.radius", standard, nullptr, as_distribution,
               "Gamma-distributed radii; a draw outside [min, max] is drawn again."},
+        Table{"start", part, &enter<&Scene::start>, without_packing,
+              "Changes the configuration that [cells] gives, in the order of these keys."},
         Table{"cortex", standard, nullptr, {},
               "The shell of each cell; its parts are tables of their own."},
         Table{"cortex.elastic", part, &enter<&Scene::cortex, &Cortex::elastic>, {},
@@ -190,6 +195,17 @@ const auto& tables() {
               }, {},
               "A bound that a measure must meet at the end of the run, in the measure's unit: "
               "`name = { min = 0.1, max = 0.2 }` or `name = { value = 0.11, relative = 0.01 }`."},
+        Table{"stability", named,
+              [](Draft& d, const Loc& loc, const std::string& name) {
+                  d.scene.stability.emplace_back().loc = loc;
+                  d.scene.stability.back().methods = name;
+              }, {},
+              "What `spheroscope stability` expects of a method, or of all methods that are "
+              "`explicit` or `implicit`, or of `all`; the first that fits, in this order. What "
+              "[expect] says holds for every run that comes to its end."},
+        Table{"variant", list, &enter<&Scene::variants>, {},
+              "The same scene with some keys changed; `spheroscope stability` runs all of them in "
+              "place of the scene itself."},
     };
     return rows;
 }
@@ -237,6 +253,18 @@ const auto& keys() {
             positive, {}, {}, "5 um", k_table_2, "Smallest radius."},
         Key{"cells.radius", "max", reach<&S::cells, &Cells::radius, &Radius::max_um>(), length,
             positive, {}, {}, "13 um", k_table_2, "Largest radius."},
+
+        Key{"start", "stretch", reach<&S::start, &Start::stretch>(), number, positive, {}, {},
+            "[1.2, 0.9, 0.9]", k_ours, "Of each cell about its centre, along x, y and z."},
+        Key{"start", "sliver_height", reach<&S::start, &Start::sliver_height_um>(), length,
+            not_negative, {}, {}, "1e-9 um", k_ours,
+            "The first triangle of each cell is made so low; 0: it is left."},
+        Key{"start", "turn", reach<&S::start, &Start::turn_rad>(), angle, {}, {}, {}, "37 deg",
+            k_ours, "Turns everything about `turn_axis` through the origin."},
+        Key{"start", "turn_axis", reach<&S::start, &Start::turn_axis>(), number, {}, {}, {},
+            "[0, 0, 1]", k_ours, "Of any length but zero."},
+        Key{"start", "shift", reach<&S::start, &Start::shift_um>(), length, {}, {}, {},
+            "[1e6, 0, 0]", k_ours, "Moves everything."},
 
         Key{"cortex", "thickness", reach<&S::cortex, &Co::thickness_um>(), length, positive, {}, {},
             "200 nm", k_table_2, "Thickness t of the shell."},
@@ -440,6 +468,27 @@ const auto& keys() {
             expected_input, {}, "", "", "Absolute: value +- this."},
         Key{"expect", "relative", reach<&Draft::expected_values, &Draft::ExpectedValue::relative>(),
             number, positive, expected_input, {}, "", "", "Relative: value * (1 +- this)."},
+
+        Key{"stability", "outcome", choose<&S::stability, &Stability::outcome>(k_outcomes), number,
+            {}, required, {}, "", "",
+            "The run comes to its end and meets [expect]; it stops, or is refused, with a reason; "
+            "or one of the two."},
+        Key{"stability", "names", reach<&S::stability, &Stability::names>(), number, {}, {}, {},
+            "cell, edge", "", "Words that the reason for a stop must contain."},
+        Key{"stability", "within", reach<&S::stability, &Stability::within_s>(), time,
+            not_negative, {}, {}, "0.2 s", "",
+            "Model time before which a run that stops must stop; 0: any."},
+        Key{"stability", "largest_step", reach<&S::stability, &Stability::largest_step_h0>(),
+            number, not_negative, {}, with_contact, "0.3", "",
+            "Bound on the displacement of a node in any accepted step, over h0; 0: none."},
+        Key{"stability", "forces_kept", reach<&S::stability, &Stability::forces_kept>(), number,
+            not_negative, {}, {}, "1e-6", "",
+            "Bound on the relative change of the forces that shift and turn of [start] make, "
+            "turned back; 0: none."},
+        Key{"variant", "name", reach<&S::variants, &Variant::name>(), number, {}, required, {}, "",
+            "", "In the report."},
+        Key{"variant", "set", reach<&S::variants, &Variant::set>(), number, {}, required, {}, "",
+            "", "Keys as on the command line: [\"cells.nodes=642\"]."},
     };
     return rows;
 }

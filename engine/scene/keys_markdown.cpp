@@ -26,7 +26,7 @@ std::string presence_text(const Table& table) {
         text = "A part of the run: without this table nothing of it is there.";
         break;
     case Presence::list: text = "A list: each item has a header of its own."; break;
-    case Presence::named: text = "Any number of them, under the names of measures."; break;
+    case Presence::named: text = "Any number of them, under their names."; break;
     }
     if (!table.applies.words.empty()) text += fmt::format(" Belongs {}.", table.applies.words);
     return text;

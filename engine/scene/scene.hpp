@@ -111,6 +111,17 @@ struct Contact {  // eqns (5)-(7)
     Loc friction_loc;
 };
 
+/// Changes the configuration that [cells] gives, in this order; for tests of robustness and for
+/// motions that begin out of equilibrium.
+struct Start {
+    Loc loc;
+    std::array<double, 3> stretch{1.0, 1.0, 1.0};  ///< of each cell about its centre, along x, y, z
+    double sliver_height_um = 0.0;  ///< > 0: the first triangle of each cell is made so low
+    double turn_rad = 0.0;          ///< of everything about turn_axis through the origin
+    std::array<double, 3> turn_axis{0.0, 0.0, 1.0};
+    std::array<double, 3> shift_um{};  ///< of everything
+};
+
 /// Constant force on each cell, spread by rest area; sums to zero over a pair if `opposed`.
 struct BodyForce {
     Loc loc;
@@ -185,12 +196,33 @@ struct Expect {
     double max = std::numeric_limits<double>::infinity();
 };
 
+enum class StabilityOutcome { ends, stops, either };
+
+/// What a method, or a class of methods, must do with the scene: [stability.<methods>].
+struct Stability {
+    Loc loc;
+    std::string methods;  ///< a row of the methods table, "explicit", "implicit" or "all"
+    StabilityOutcome outcome = StabilityOutcome::ends;
+    std::vector<std::string> names;  ///< words that the reason of a stop contains
+    double within_s = 0.0;           ///< model time of a stop at the latest; 0: any
+    double largest_step_h0 = 0.0;    ///< bound on a node's displacement per step; 0: none
+    double forces_kept = 0.0;        ///< bound on the change of forces by [start]; 0: none
+};
+
+/// The scene with some keys changed, under a name.
+struct Variant {
+    Loc loc;
+    std::string name;
+    std::vector<std::string> set;  ///< "key=value"
+};
+
 struct Scene {
     std::string file;  ///< as opened
     std::string title;
     std::uint64_t seed = 1;
     bool allow_full_wetting = false;  ///< W > 2 gamma is an error without it
     Cells cells;
+    std::optional<Start> start;
     Cortex cortex;
     std::optional<Cytosol> cytosol;
     std::optional<Medium> medium;
@@ -201,6 +233,8 @@ struct Scene {
     Measures measures;
     std::vector<Picture> pictures;
     std::vector<Expect> expect;
+    std::vector<Stability> stability;
+    std::vector<Variant> variants;
     std::vector<std::string> warnings;  ///< e.g. W = 2 gamma, with its place; to be shown once
     std::string resolved_toml;          ///< canonical text of everything above that applies
 };

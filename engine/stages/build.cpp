@@ -11,6 +11,7 @@
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/forces/strain_limiter.hpp"
 #include "engine/friction/cortex_viscosity.hpp"
+#include "engine/stages/start_changes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,7 @@ std::vector<Vec3> start_positions(const scene::Scene& scene, const Model& model,
         x_um = given->x_um;
         break;
     }
+    if (scene.start) change_start(*scene.start, model, x_um);
     return x_um;
 }
 

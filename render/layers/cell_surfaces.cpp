@@ -97,7 +97,7 @@ void CellSurfaces::update(const Snapshot& snapshot, std::span<const int> cells, 
     // A value of a cell is given to all its nodes: cells share none.
     const bool on_triangles = place == Place::triangle;
     const int n_each = on_triangles ? topology.n_triangles() : topology.n_nodes();
-    const std::size_t n_given =
+    [[maybe_unused]] const std::size_t n_given =
         cells.size() * (place == Place::cell ? 1U : static_cast<std::size_t>(n_each));
     SPHEROSCOPE_ASSERT(colours.size() == n_given, "one colour for each value of the drawn cells");
     h.colour->SetNumberOfTuples(static_cast<vtkIdType>(cells.size()) * n_each);

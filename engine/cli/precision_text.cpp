@@ -1,0 +1,290 @@
+#include "engine/cli/precision_text.hpp"
+
+#include "engine/cli/report_output.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace spheroscope::cli {
+namespace {
+
+using reports::all_error_measures;
+using reports::Missing;
+using reports::TableCell;
+
+TableCell error_cell(const reports::Precision& precision, const reports::PrecisionRow& row,
+                     std::size_t measure) {
+    if (!row.was_run) return Missing{"-"};
+    if (!row.run.is_complete()) return Missing{"failed"};
+    if (row.errors.empty()) return Missing{"no ref"};
+    if (std::isnan(row.errors[measure])) return Missing{"-"};
+    if (!precision.is_resolved(row, measure)) return Missing{"< ref"};
+    return row.errors[measure];
+}
+
+nlohmann::json setting_json(const reports::MethodSetting& setting) {
+    nlohmann::json object{{"text", setting.text()},
+                          {"dt_s", setting.dt_s},
+                          {"linear_tolerance", setting.linear_tolerance}};
+    object["tolerance_um"] =
+        setting.is_fixed() ? nlohmann::json() : nlohmann::json(setting.tolerance_um);
+    return object;
+}
+
+nlohmann::json run_json(bool was_run, const reports::MeasuredRun& run) {
+    const Work& work = run.work;
+    return {{"outcome", outcome_word(was_run, run)},
+            {"message", run.message},
+            {"wall_s", was_run ? nlohmann::json(run.wall_s) : nlohmann::json()},
+            {"cpu_s", was_run ? nlohmann::json(run.cpu_s) : nlohmann::json()},
+            {"time_s", run.time_s},
+            {"work",
+             {{"steps", work.steps},
+              {"rejected_steps", work.rejected_steps},
+              {"force_evaluations", work.force_evaluations},
+              {"stiffness_evaluations", work.stiffness_evaluations},
+              {"pair_evaluations", work.contact_candidates},
+              {"active_pairs", work.contact_pairs},
+              {"linear_iterations", work.linear_iterations}}},
+            {"hash", hash_text(run.state_hash)}};
+}
+
+/// Series of one measure, one for each method, in the order of the ladder.
+reports::Plot::Panel panel_of(const reports::Precision& precision, std::size_t measure) {
+    reports::Plot::Panel panel;
+    panel.title = all_error_measures()[measure].title;
+    panel.x_title = "wall time (s)";
+    panel.y_title = fmt::format("error ({})", all_error_measures()[measure].unit);
+    for (const reports::PrecisionRow& row : precision.rows) {
+        const std::string name(row.setting.method->name);
+        if (panel.series.empty() || panel.series.back().name != name)
+            panel.series.push_back({name, {}, {}});
+        const TableCell cell = error_cell(precision, row, measure);
+        if (const double* error = std::get_if<double>(&cell); error != nullptr && *error > 0.0) {
+            panel.series.back().x.push_back(row.run.wall_s);
+            panel.series.back().y.push_back(*error);
+        }
+    }
+    return panel;
+}
+
+}  // namespace
+
+std::string outcome_word(bool was_run, const reports::MeasuredRun& run) {
+    if (!was_run) return "not run";
+    switch (run.verdict) {
+    case RunVerdict::finished:
+    case RunVerdict::cap: return "finished";
+    case RunVerdict::time_limit: return "time limit";
+    case RunVerdict::stopped: return "stopped";
+    case RunVerdict::unstable:
+    case RunVerdict::sink_failed: return "failed";
+    }
+    return "";
+}
+
+reports::ReportTable table_of(const reports::Precision& precision) {
+    reports::ReportTable table;
+    table.columns = {{"method"}, {"setting"}};
+    for (const reports::ErrorMeasure& measure : all_error_measures())
+        table.columns.push_back({std::string(measure.name)});
+    for (const char* name : {"wall_s", "cpu_s", "steps"}) table.columns.push_back({name});
+    table.columns.push_back({"rejected", false});
+    table.columns.push_back({"force_evaluations", false});
+    table.columns.push_back({"pair_evaluations", false});
+    table.columns.push_back({"active_pairs", false});
+    table.columns.push_back({"iterations"});
+    for (const char* name : {"dt_s", "tolerance_um", "linear_tolerance", "state_hash"})
+        table.columns.push_back({name, false});
+    table.columns.push_back({"outcome"});
+    table.columns.push_back({"message", false});
+    for (const reports::PrecisionRow& row : precision.rows) {
+        const Work& work = row.run.work;
+        std::vector<TableCell> cells{std::string(row.setting.method->name), row.setting.text()};
+        for (std::size_t m = 0; m < all_error_measures().size(); ++m)
+            cells.push_back(error_cell(precision, row, m));
+        if (row.was_run) {
+            for (const double value : {row.run.wall_s, row.run.cpu_s}) cells.emplace_back(value);
+            for (const std::int64_t n :
+                 {work.steps, work.rejected_steps, work.force_evaluations, work.contact_candidates,
+                  work.contact_pairs, work.linear_iterations})
+                cells.emplace_back(n);
+        } else {
+            cells.insert(cells.end(), 8, Missing{"-"});
+        }
+        cells.emplace_back(row.setting.dt_s);
+        if (row.setting.is_fixed())
+            cells.emplace_back(Missing{"-"});
+        else
+            cells.emplace_back(row.setting.tolerance_um);
+        cells.emplace_back(row.setting.linear_tolerance);
+        cells.emplace_back(hash_text(row.run.state_hash));
+        cells.emplace_back(outcome_word(row.was_run, row.run));
+        cells.emplace_back(row.run.message);
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+std::string notes_of(const reports::Precision& precision) {
+    std::string text;
+    if (precision.reference) {
+        text += fmt::format("reference: {}, {}, {:.3g} s wall; its error, from the run at {}:\n",
+                            precision.reference->method->name, precision.reference->text(),
+                            precision.reference_run.wall_s, precision.second.text());
+        for (std::size_t m = 0; m < all_error_measures().size(); ++m) {
+            const double error = precision.reference_errors[m];
+            text += fmt::format("  {:<14}{}\n", all_error_measures()[m].name,
+                                std::isnan(error) ? "-" : fmt::format("{:.2g}", error));
+        }
+        if (!precision.reference_is_fine_enough())
+            text += "'< ref': below ten times the error of the reference, so not shown\n";
+    } else {
+        text += "no reference: no method came through with a step and with half of it, or the time "
+                "limit came first; so there are no errors\n";
+    }
+    if (precision.met_time_limit) text += "the time limit came before everything was done\n";
+    for (const reports::PrecisionRow& row : precision.rows)
+        if (row.was_run && !row.run.is_complete() && !row.run.message.empty())
+            text += fmt::format("{}, {}: {}\n", row.setting.method->name, row.setting.text(),
+                                row.run.message);
+    return text;
+}
+
+nlohmann::json json_of(const reports::Precision& precision) {
+    nlohmann::json runs = nlohmann::json::array();
+    for (const reports::PrecisionRow& row : precision.rows) {
+        nlohmann::json object = run_json(row.was_run, row.run);
+        object["method"] = row.setting.method->name;
+        object["setting"] = setting_json(row.setting);
+        nlohmann::json errors = nlohmann::json::object();
+        for (std::size_t m = 0; m < all_error_measures().size(); ++m) {
+            const TableCell cell = error_cell(precision, row, m);
+            const double* number = std::get_if<double>(&cell);
+            errors[std::string(all_error_measures()[m].name)] =
+                number != nullptr ? nlohmann::json(*number) : nlohmann::json();
+        }
+        object["errors"] = errors;
+        runs.push_back(std::move(object));
+    }
+    nlohmann::json document{{"runs", runs}, {"met_time_limit", precision.met_time_limit}};
+    document["reference"] = nullptr;
+    if (precision.reference) {
+        nlohmann::json errors = nlohmann::json::object();
+        for (std::size_t m = 0; m < all_error_measures().size(); ++m)
+            errors[std::string(all_error_measures()[m].name)] =
+                number_or_null(precision.reference_errors[m]);
+        nlohmann::json reference = run_json(true, precision.reference_run);
+        reference["method"] = precision.reference->method->name;
+        reference["setting"] = setting_json(*precision.reference);
+        reference["checked_against"] = setting_json(precision.second);
+        reference["errors"] = errors;
+        reference["is_fine_enough"] = precision.reference_is_fine_enough();
+        document["reference"] = reference;
+    }
+    return document;
+}
+
+reports::Plot plot_of(const reports::Precision& precision, const std::string& title) {
+    reports::Plot plot;
+    plot.title = title;
+    for (std::size_t m = 0; m < all_error_measures().size(); ++m) {
+        if (all_error_measures()[m].title.empty()) continue;
+        reports::Plot::Panel panel = panel_of(precision, m);
+        bool has_points = false;
+        for (const reports::Plot::Series& series : panel.series)
+            has_points = has_points || !series.x.empty();
+        if (has_points) plot.panels.push_back(std::move(panel));
+    }
+    return plot;
+}
+
+reports::ReportTable table_of(const reports::MeshLadder& ladder) {
+    reports::ReportTable table;
+    table.columns = {{"measure"}, {"unit"}};
+    for (const reports::MeshLevel& level : ladder.levels)
+        table.columns.push_back({fmt::format("{} nodes", level.nodes)});
+    for (const char* name : {"extrapolated", "order", "mesh_error", "time_error", "dominant"})
+        table.columns.push_back({name});
+    const auto or_word = [](double value, std::string_view word) -> TableCell {
+        if (std::isfinite(value)) return value;
+        return Missing{word};
+    };
+    for (std::size_t m = 0; m < ladder.results.size(); ++m) {
+        const reports::MeshResult& result = ladder.results[m];
+        std::vector<TableCell> cells{std::string(reports::all_mesh_measures()[m].name),
+                                     std::string(reports::all_mesh_measures()[m].unit)};
+        for (const double value : result.values) cells.push_back(or_word(value, "-"));
+        cells.push_back(or_word(result.extrapolation.limit, "not resolved"));
+        cells.push_back(or_word(result.extrapolation.order, "-"));
+        cells.push_back(or_word(result.mesh_error, "-"));
+        cells.push_back(or_word(result.time_error, "-"));
+        if (std::isfinite(result.mesh_error) && std::isfinite(result.time_error))
+            cells.emplace_back(
+                std::string(result.mesh_error > result.time_error ? "mesh" : "time"));
+        else
+            cells.emplace_back(std::string("unknown"));
+        table.rows.push_back(std::move(cells));
+    }
+    std::vector<TableCell> wall{std::string("wall time"), std::string("s")};
+    for (const reports::MeshLevel& level : ladder.levels)
+        wall.push_back(level.was_run ? TableCell(level.run.wall_s) : TableCell(Missing{"-"}));
+    wall.insert(wall.end(), 4, Missing{""});
+    wall.emplace_back(std::string());
+    table.rows.push_back(std::move(wall));
+    return table;
+}
+
+std::string notes_of(const reports::MeshLadder& ladder, int own_nodes) {
+    int mesh = 0, time = 0, unknown = 0;
+    for (const reports::MeshResult& result : ladder.results) {
+        if (!std::isfinite(result.mesh_error) || !std::isfinite(result.time_error))
+            ++unknown;
+        else
+            ++(result.mesh_error > result.time_error ? mesh : time);
+    }
+    std::string text =
+        fmt::format("at {} nodes with {}, {}: the mesh error dominates in {} measures, the time "
+                    "error in {}; {} not resolved\n",
+                    own_nodes, ladder.own.method->name, ladder.own.text(), mesh, time, unknown);
+    text += fmt::format("time error against {}; mesh error against the extrapolated value\n",
+                        ladder.finer.text());
+    if (ladder.met_time_limit) text += "the time limit came before everything was done\n";
+    for (const reports::MeshLevel& level : ladder.levels)
+        if (level.was_run && !level.run.is_complete())
+            text += fmt::format("{} nodes: {} {}\n", level.nodes, outcome_word(true, level.run),
+                                level.run.message);
+    return text;
+}
+
+nlohmann::json json_of(const reports::MeshLadder& ladder, int own_nodes) {
+    nlohmann::json levels = nlohmann::json::array();
+    for (const reports::MeshLevel& level : ladder.levels) {
+        nlohmann::json object = run_json(level.was_run, level.run);
+        object["nodes"] = level.nodes;
+        levels.push_back(std::move(object));
+    }
+    nlohmann::json measures = nlohmann::json::array();
+    for (std::size_t m = 0; m < ladder.results.size(); ++m) {
+        const reports::MeshResult& result = ladder.results[m];
+        nlohmann::json values = nlohmann::json::array();
+        for (const double value : result.values) values.push_back(number_or_null(value));
+        measures.push_back({{"measure", reports::all_mesh_measures()[m].name},
+                            {"unit", reports::all_mesh_measures()[m].unit},
+                            {"values", values},
+                            {"extrapolated", number_or_null(result.extrapolation.limit)},
+                            {"order", number_or_null(result.extrapolation.order)},
+                            {"mesh_error", number_or_null(result.mesh_error)},
+                            {"time_error", number_or_null(result.time_error)}});
+    }
+    return {{"levels", levels},
+            {"measures", measures},
+            {"own_nodes", own_nodes},
+            {"own_setting", setting_json(ladder.own)},
+            {"finer_setting", setting_json(ladder.finer)},
+            {"met_time_limit", ladder.met_time_limit}};
+}
+
+}  // namespace spheroscope::cli

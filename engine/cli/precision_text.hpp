@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/reports/mesh_ladder.hpp"
+#include "engine/reports/plot.hpp"
+#include "engine/reports/precision.hpp"
+#include "engine/reports/report_table.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace spheroscope::cli {
+
+/// "finished", "failed", "time limit", "not run"
+[[nodiscard]] std::string outcome_word(bool was_run, const reports::MeasuredRun& run);
+
+[[nodiscard]] reports::ReportTable table_of(const reports::Precision& precision);
+/// What was compared with, how good that is, and why runs failed; below the table.
+[[nodiscard]] std::string notes_of(const reports::Precision& precision);
+[[nodiscard]] nlohmann::json json_of(const reports::Precision& precision);
+/// One panel for each error measure that has a number: error over wall time.
+[[nodiscard]] reports::Plot plot_of(const reports::Precision& precision, const std::string& title);
+
+[[nodiscard]] reports::ReportTable table_of(const reports::MeshLadder& ladder);
+[[nodiscard]] std::string notes_of(const reports::MeshLadder& ladder, int own_nodes);
+[[nodiscard]] nlohmann::json json_of(const reports::MeshLadder& ladder, int own_nodes);
+
+}  // namespace spheroscope::cli

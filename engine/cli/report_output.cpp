@@ -1,0 +1,85 @@
+#include "engine/cli/report_output.hpp"
+
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/version.hpp"
+#include "engine/reports/machine.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace spheroscope::cli {
+
+std::string report_folder(const CommonOptions& options, const std::string& standard) {
+    const std::string folder = options.output.empty() ? standard : options.output;
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed)
+        throw Error(folder + ": cannot make this folder (" + failed.message() + ")",
+                    "choose another one with -o", ExitCode::environment);
+    return folder;
+}
+
+void write_text_file(const std::string& path, const std::string& text) {
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file)
+        throw Error(path + ": the report could not be written",
+                    "is the disk full, or the folder protected?", ExitCode::environment);
+}
+
+std::vector<std::string> report_comments(const CommonOptions& options,
+                                         const Invocation& invocation) {
+    const reports::Machine machine = reports::this_machine();
+    return {"spheroscope " + version_text(), "command: " + invocation.command_line,
+            fmt::format("machine: {}, {} cores, {} threads used", machine.processor, machine.cores,
+                        options.n_threads())};
+}
+
+nlohmann::json machine_json(const CommonOptions& options) {
+    const reports::Machine machine = reports::this_machine();
+    return {{"processor", machine.processor},
+            {"cores", machine.cores},
+            {"threads", options.n_threads()},
+            {"version", version_text()}};
+}
+
+nlohmann::json number_or_null(double value) {
+    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+std::vector<std::string> draw_report_plot(const reports::DrawPlot& draw, const reports::Plot& plot,
+                                          const std::string& path) {
+    bool has_points = false;
+    for (const reports::Plot::Panel& panel : plot.panels)
+        for (const reports::Plot::Series& series : panel.series)
+            has_points = has_points || !series.x.empty();
+    if (!has_points) {
+        spdlog::warn("no plot: there is no number to draw");
+        return {};
+    }
+    if (!draw) {
+        spdlog::info("no plot: this program was built without pictures (SPHEROSCOPE_RENDER)");
+        return {};
+    }
+    return draw(plot, path);
+}
+
+ExitCode code_after_signal(ExitCode code) {
+    switch (interrupt_signal()) {
+    case SIGINT: return ExitCode::interrupted;
+    case SIGTERM: return ExitCode::terminated;
+    default: return code;
+    }
+}
+
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+}  // namespace spheroscope::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/cli/options.hpp"
+#include "engine/cli/verb.hpp"
+#include "engine/reports/report_table.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+// What the verbs that print reports have in common.
+namespace spheroscope::cli {
+
+/// Where a report goes; the folder is made. Throws Error when it cannot be.
+[[nodiscard]] std::string report_folder(const CommonOptions& options, const std::string& standard);
+
+/// Throws Error (environment) when the text cannot be written.
+void write_text_file(const std::string& path, const std::string& text);
+
+/// Under which circumstances numbers were made: version, processor, threads, command.
+[[nodiscard]] std::vector<std::string> report_comments(const CommonOptions& options,
+                                                       const Invocation& invocation);
+[[nodiscard]] nlohmann::json machine_json(const CommonOptions& options);
+
+/// null where a number is missing or not finite: JSON has no word for it.
+[[nodiscard]] nlohmann::json number_or_null(double value);
+
+/// Draws the plot, or says why there is none. Returns the names of the files.
+[[nodiscard]] std::vector<std::string>
+draw_report_plot(const reports::DrawPlot& draw, const reports::Plot& plot, const std::string& path);
+
+/// The code after a signal, or `code` if there was none.
+[[nodiscard]] ExitCode code_after_signal(ExitCode code);
+
+/// "0123456789abcdef"
+[[nodiscard]] std::string hash_text(std::uint64_t hash);
+
+}  // namespace spheroscope::cli

@@ -1,0 +1,113 @@
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
+#include "engine/cli/precision_text.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/report_output.hpp"
+#include "engine/cli/verb.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+namespace spheroscope::cli {
+namespace {
+
+struct PrecisionArguments {
+    std::string scene;
+    bool mesh = false;
+    int levels = 5;
+    int most_nodes = 2562;
+    CommonOptions common;
+};
+
+/// Writes table, plot and JSON of one report, and prints one of them.
+void give_out(const std::string& path, const reports::ReportTable& table, const std::string& notes,
+              nlohmann::json document, const reports::DrawPlot& draw, const reports::Plot* plot,
+              const PrecisionArguments& arguments, const Invocation& invocation) {
+    write_text_file(path + ".csv", table.csv_text(report_comments(arguments.common, invocation)));
+    std::vector<std::string> files{path + ".csv"};
+    if (plot != nullptr)
+        for (const std::string& file : draw_report_plot(draw, *plot, path)) files.push_back(file);
+    if (arguments.common.json) {
+        document["scene"] = arguments.scene;
+        document["machine"] = machine_json(arguments.common);
+        document["files"] = files;
+        print_json(document);
+        return;
+    }
+    fmt::print("{}\n{}", table.aligned_text(), notes);
+    for (const std::string& file : files) fmt::print("written to {}\n", file);
+}
+
+ExitCode precision(const PrecisionArguments& arguments, const reports::DrawPlot& draw,
+                   const Invocation& invocation) {
+    if (arguments.common.quiet) make_log_quiet();
+    const scene::Scene scene = scene::load_scene(arguments.scene, arguments.common.overrides());
+    for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
+    const std::string folder =
+        report_folder(arguments.common,
+                      "out/precision/" + std::filesystem::path(arguments.scene).stem().string());
+
+    const InterruptGuard interrupts;
+    Progress progress(progress_style(arguments.common.quiet));
+    reports::PrecisionOptions options;
+    options.threads = arguments.common.n_threads();
+    options.n_levels = arguments.levels;
+    options.wall_limit_s = arguments.common.time_limit_s().value_or(0.0);
+    options.stop = &interrupts.stop();
+    options.progress = [&](const std::string& what, double share) {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        progress.update({what, share, unknown, unknown});
+    };
+    if (arguments.mesh) {
+        const reports::MeshLadder ladder =
+            reports::compute_mesh_ladder(scene, arguments.most_nodes, options);
+        progress.clear();
+        give_out(folder + "/mesh", table_of(ladder), notes_of(ladder, scene.cells.nodes),
+                 json_of(ladder, scene.cells.nodes), draw, nullptr, arguments, invocation);
+        return code_after_signal(ladder.met_time_limit ? ExitCode::not_converged : ExitCode::ok);
+    }
+    const reports::Precision result = reports::compute_precision(scene, options);
+    progress.clear();
+    const reports::Plot plot = plot_of(result, "Error against run time: " + scene.title);
+    give_out(folder + "/precision", table_of(result), notes_of(result), json_of(result), draw,
+             &plot, arguments, invocation);
+    return code_after_signal(result.reference && !result.met_time_limit ? ExitCode::ok
+                                                                        : ExitCode::not_converged);
+}
+
+}  // namespace
+
+Verb precision_verb(const reports::DrawPlot& draw) {
+    return {"precision", "error against run time of every method: table, CSV and plot",
+            [draw](CLI::App& command) -> VerbAction {
+                const auto arguments = std::make_shared<PrecisionArguments>();
+                command.add_option("SCENE", arguments->scene, "scene file")->required();
+                command.add_flag("--mesh", arguments->mesh,
+                                 "compare mesh levels instead of methods, and tell mesh error from "
+                                 "time error");
+                command
+                    .add_option("--levels", arguments->levels,
+                                "steps or tolerances of each method, around the scene's own")
+                    ->check(CLI::Range(1, 12));
+                command
+                    .add_option("--most-nodes", arguments->most_nodes,
+                                "finest level of --mesh: 42, 162, 642 or 2562 nodes")
+                    ->check(CLI::IsMember({42, 162, 642, 2562}));
+                add_common_options(command, arguments->common,
+                                   {CommonOption::output, CommonOption::threads, CommonOption::seed,
+                                    CommonOption::set, CommonOption::json, CommonOption::quiet,
+                                    CommonOption::time_limit});
+                return [arguments, draw](const Invocation& invocation) {
+                    return precision(*arguments, draw, invocation);
+                };
+            }};
+}
+
+}  // namespace spheroscope::cli

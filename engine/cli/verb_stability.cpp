@@ -1,0 +1,179 @@
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/report_output.hpp"
+#include "engine/cli/verb.hpp"
+#include "engine/reports/stability.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+namespace spheroscope::cli {
+namespace {
+
+struct StabilityArguments {
+    std::vector<std::string> scenes;
+    CommonOptions common;
+};
+
+std::vector<std::string> stress_scenes() {
+    std::vector<std::string> files;
+    const std::filesystem::path folder = std::filesystem::path(SPHEROSCOPE_SCENES_DIR) / "stress";
+    std::error_code failed;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
+        if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
+    if (failed || files.empty())
+        throw Error(folder.string() + ": no scenes are there", "name the scenes to run");
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+reports::ReportTable table_of(const std::vector<reports::StabilityRow>& rows) {
+    reports::ReportTable table;
+    table.columns = {{"scene"},
+                     {"variant"},
+                     {"method"},
+                     {"expectation"},
+                     {"outcome"},
+                     {"t_s"},
+                     {"steps"},
+                     {"rejected", false},
+                     {"wall_s"},
+                     {"largest_step_h0", false},
+                     {"force_change", false},
+                     {"state_hash", false},
+                     {"met"},
+                     {"message", false},
+                     {"failures", false}};
+    for (const reports::StabilityRow& row : rows) {
+        std::string failures;
+        for (const std::string& failure : row.failures)
+            failures += (failures.empty() ? "" : "; ") + failure;
+        const bool has_numbers = row.was_run && !row.is_refused;
+        const auto number = [&](auto value) -> reports::TableCell {
+            if (!has_numbers) return reports::Missing{"-"};
+            return value;
+        };
+        table.rows.push_back({row.scene, row.variant, std::string(row.method->name),
+                              row.expectation, row.outcome(), number(row.run.time_s),
+                              number(row.run.work.steps), number(row.run.work.rejected_steps),
+                              number(row.run.wall_s), number(row.largest_step_h0),
+                              number(row.force_change), hash_text(row.run.state_hash), row.met(),
+                              row.run.message, failures});
+    }
+    return table;
+}
+
+nlohmann::json json_of(const std::vector<reports::StabilityRow>& rows) {
+    nlohmann::json runs = nlohmann::json::array();
+    for (const reports::StabilityRow& row : rows) {
+        nlohmann::json measures = nlohmann::json::array();
+        for (const Expectation& measure : row.measures)
+            measures.push_back({{"measure", measure.measure},
+                                {"value", number_or_null(measure.value)},
+                                {"min", number_or_null(measure.min)},
+                                {"max", number_or_null(measure.max)},
+                                {"met", measure.met}});
+        runs.push_back({{"scene", row.scene},
+                        {"variant", row.variant},
+                        {"method", row.method->name},
+                        {"expectation", row.expectation},
+                        {"outcome", row.outcome()},
+                        {"met", row.met()},
+                        {"message", row.run.message},
+                        {"failures", row.failures},
+                        {"measures", measures},
+                        {"time_s", row.run.time_s},
+                        {"steps", row.run.work.steps},
+                        {"wall_s", row.run.wall_s},
+                        {"hash", hash_text(row.run.state_hash)}});
+    }
+    return runs;
+}
+
+std::string notes_of(const std::vector<reports::StabilityRow>& rows) {
+    std::string text;
+    std::size_t n_met = 0, n_run = 0;
+    for (const reports::StabilityRow& row : rows) {
+        n_met += row.met() ? 1 : 0;
+        n_run += row.was_run ? 1 : 0;
+        for (const std::string& failure : row.failures)
+            text += fmt::format("NOT MET  {} {} {}: {}\n", row.scene, row.variant, row.method->name,
+                                failure);
+    }
+    return text + fmt::format("{} of {} expectations met, {} not run\n", n_met, rows.size(),
+                              rows.size() - n_run);
+}
+
+ExitCode stability(const StabilityArguments& arguments, const reports::DrawPlot& draw,
+                   const Invocation& invocation) {
+    if (arguments.common.quiet) make_log_quiet();
+    const std::vector<std::string> files =
+        arguments.scenes.empty() ? stress_scenes() : arguments.scenes;
+    const InterruptGuard interrupts;
+    Progress progress(progress_style(arguments.common.quiet));
+    reports::StabilityOptions options;
+    options.threads = arguments.common.n_threads();
+    options.wall_limit_s = arguments.common.time_limit_s().value_or(0.0);
+    options.stop = &interrupts.stop();
+    options.progress = [&](const std::string& what, double share) {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        progress.update({what, share, unknown, unknown});
+    };
+    const std::vector<reports::StabilityRow> rows =
+        reports::check_stability(files, arguments.common.overrides(), options);
+    progress.clear();
+
+    const std::string folder = report_folder(arguments.common, "out/stability");
+    const std::string path = folder + "/stability";
+    const reports::ReportTable table = table_of(rows);
+    write_text_file(path + ".csv", table.csv_text(report_comments(arguments.common, invocation)));
+    std::vector<std::string> written{path + ".csv"};
+    const reports::Plot plot = reports::stability_plot(rows);
+    if (!plot.panels.empty())
+        for (const std::string& file : draw_report_plot(draw, plot, path)) written.push_back(file);
+
+    if (arguments.common.json) {
+        print_json({{"runs", json_of(rows)},
+                    {"machine", machine_json(arguments.common)},
+                    {"files", written}});
+    } else {
+        fmt::print("{}\n{}", table.aligned_text(), notes_of(rows));
+        for (const std::string& file : written) fmt::print("written to {}\n", file);
+    }
+    ExitCode code = ExitCode::ok;
+    for (const reports::StabilityRow& row : rows)
+        if (!row.was_run && code == ExitCode::ok)
+            code = ExitCode::not_converged;
+        else if (row.was_run && !row.met())
+            code = ExitCode::differs;
+    return code_after_signal(code);
+}
+
+}  // namespace
+
+Verb stability_verb(const reports::DrawPlot& draw) {
+    return {"stability", "stiff and extreme scenes with every method; exit code 4 if one surprises",
+            [draw](CLI::App& command) -> VerbAction {
+                const auto arguments = std::make_shared<StabilityArguments>();
+                command.add_option(
+                    "SCENES", arguments->scenes,
+                    "scenes that say what must hold (default: all of scenes/stress)");
+                add_common_options(command, arguments->common,
+                                   {CommonOption::output, CommonOption::threads, CommonOption::seed,
+                                    CommonOption::set, CommonOption::json, CommonOption::quiet,
+                                    CommonOption::time_limit});
+                return [arguments, draw](const Invocation& invocation) {
+                    return stability(*arguments, draw, invocation);
+                };
+            }};
+}
+
+}  // namespace spheroscope::cli

@@ -1,0 +1,115 @@
+// The verbs that print reports, as a script sees them.
+#include "tests/cli/program_runner.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+namespace spheroscope {
+namespace {
+
+/// One cell of 42 nodes for 32 ms.
+const char* const k_small_scene = R"([cells]
+arrangement = "single"
+nodes = 42
+radius = 9
+[start]
+stretch = [1.05, 0.98, 0.97]
+[cortex.elastic]
+E = 20
+[cortex.tension]
+gamma = 0.5
+[cortex.viscosity]
+eta = 1
+[cytosol]
+[medium]
+[method]
+dt = "4 ms"
+[[stage]]
+kind = "relax"
+duration = "0.032 s"
+)";
+
+class ReportVerbs : public ProgramRunner {
+  protected:
+    ReportVerbs() { write_file("small.toml", k_small_scene); }
+    [[nodiscard]] std::vector<std::string> lines_of(const std::string& name) const {
+        std::ifstream file(path(name));
+        std::vector<std::string> lines;
+        for (std::string line; std::getline(file, line);) lines.push_back(line);
+        return lines;
+    }
+};
+
+TEST_F(ReportVerbs, PrecisionGivesOneObjectForEachRunWithWhatScriptsRelyOn) {
+    const Outcome outcome = call({"precision", "small.toml", "--levels", "2", "--json", "--quiet"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto document = nlohmann::json::parse(outcome.out);
+    ASSERT_GE(document["runs"].size(), 4U);
+    for (const auto& run : document["runs"]) {
+        for (const char* key : {"method", "setting", "errors", "wall_s", "work", "hash", "outcome"})
+            EXPECT_TRUE(run.contains(key)) << key;
+        for (const char* key :
+             {"positions", "volume", "gamma_eff", "sigma_h", "contact_area", "pair_force"})
+            EXPECT_TRUE(run["errors"].contains(key)) << key;
+        EXPECT_TRUE(run["errors"]["contact_area"].is_null()) << "one cell touches nothing";
+        EXPECT_EQ(run["hash"].get<std::string>().size(), 16U);
+    }
+    EXPECT_TRUE(document["reference"]["errors"]["positions"].is_number());
+}
+
+TEST_F(ReportVerbs, PrecisionWritesATableWithOneLineForEachRun) {
+    const Outcome outcome = call({"precision", "small.toml", "--levels", "2", "-o", "here"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::size_t n_rows = 0, n_columns = 0;
+    for (const std::string& line : lines_of("here/precision.csv")) {
+        if (line.front() == '#') continue;
+        ++n_rows;
+        if (n_columns == 0)
+            n_columns = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
+        if (line.find('"') != std::string::npos) continue;  // a text with commas of its own
+        EXPECT_EQ(static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')), n_columns);
+    }
+    EXPECT_GE(n_rows, 5U);
+    EXPECT_NE(outcome.out.find("\nreference: "), std::string::npos) << outcome.out;
+}
+
+TEST_F(ReportVerbs, PrecisionShowsAMethodThatFailsAsFailed) {
+    const Outcome outcome = call({"precision", "small.toml", "--levels", "1", "--json", "--quiet",
+                                  "--set", "cortex.elastic.E=2000", "--set", "method.dt=32 ms"});
+    const auto document = nlohmann::json::parse(outcome.out);
+    const auto& run = document["runs"][0];
+    EXPECT_EQ(run["method"], "forward_euler");
+    EXPECT_EQ(run["outcome"], "failed");
+    EXPECT_NE(run["message"], "");
+    for (const auto& error : run["errors"]) EXPECT_TRUE(error.is_null());
+}
+
+TEST_F(ReportVerbs, PrecisionEndsWithThreeWhenTheTimeLimitComesFirst) {
+    const Outcome outcome =
+        call({"precision", "small.toml", "--quiet", "--time-limit", "1 us", "--json"});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["met_time_limit"], true);
+}
+
+TEST_F(ReportVerbs, PrecisionRefusesASceneThatEndsOnACondition) {
+    write_file("rest.toml", with(k_small_scene, "duration = \"0.032 s\"", "until = \"rest\""));
+    const Outcome outcome = call({"precision", "rest.toml"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("rest.toml:"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ReportVerbs, PrecisionWithMeshLevelsSaysWhichErrorDominates) {
+    const Outcome outcome =
+        call({"precision", "small.toml", "--mesh", "--most-nodes", "642", "--json", "--quiet"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto document = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(document["levels"].size(), 3U);
+    for (const auto& measure : document["measures"])
+        for (const char* key : {"values", "extrapolated", "order", "mesh_error", "time_error"})
+            EXPECT_TRUE(measure.contains(key)) << key;
+}
+
+}  // namespace
+}  // namespace spheroscope

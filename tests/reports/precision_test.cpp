@@ -1,0 +1,122 @@
+#include "engine/reports/mesh_ladder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace spheroscope::reports {
+namespace {
+
+/// One cell of 42 nodes that comes back from a stretch: smooth, so orders show.
+scene::Scene stretched_cell() {
+    return scene::parse_scene(R"(
+[cells]
+arrangement = "single"
+nodes = 42
+radius = 9
+[start]
+stretch = [1.05, 0.98, 0.97]
+[cortex.elastic]
+E = 20
+[cortex.tension]
+gamma = 0.5
+[cortex.viscosity]
+eta = 1
+[cytosol]
+[medium]
+[method]
+dt = "2 ms"
+linear_tolerance = 1e-9
+[[stage]]
+kind = "relax"
+duration = "0.064 s"
+)",
+                              "stretched.toml");
+}
+
+TEST(Precision, ErrorsOfFixedStepsFallWithTheDeclaredOrderOfTheMethod) {
+    const Precision precision = compute_precision(stretched_cell(), {.n_levels = 4});
+    ASSERT_TRUE(precision.reference);
+    int n_compared = 0;
+    for (std::size_t r = 1; r < precision.rows.size(); ++r) {
+        const PrecisionRow &coarse = precision.rows[r - 1], &fine = precision.rows[r];
+        if (coarse.setting.method != fine.setting.method || !fine.setting.is_fixed()) continue;
+        ASSERT_FALSE(coarse.errors.empty() || fine.errors.empty());
+        if (!precision.is_resolved(fine, 0)) continue;
+        // terms of the next order, and up to 10 % of the error from the reference
+        EXPECT_NEAR(std::log2(coarse.errors[0] / fine.errors[0]), fine.setting.method->order, 0.2)
+            << fine.setting.text();
+        ++n_compared;
+    }
+    EXPECT_GE(n_compared, 3);
+}
+
+TEST(Precision, EveryMethodOfTheTableIsInIt) {
+    const Precision precision = compute_precision(stretched_cell(), {.n_levels = 1});
+    ASSERT_EQ(precision.rows.size(), all_methods().size());
+    for (std::size_t m = 0; m < all_methods().size(); ++m)
+        EXPECT_EQ(precision.rows[m].setting.method, &all_methods()[m]);
+}
+
+TEST(Precision, AMethodThatFailsIsShownAsFailedAndHasNoErrors) {
+    scene::Scene scene = stretched_cell();
+    scene.cortex.elastic->E_kPa = 2000.0;
+    scene.method.dt_s = 0.016;
+    const Precision precision = compute_precision(scene, {.n_levels = 1});
+    const PrecisionRow* explicit_row = nullptr;
+    for (const PrecisionRow& row : precision.rows)
+        if (row.setting.method->name == "forward_euler") explicit_row = &row;
+    ASSERT_NE(explicit_row, nullptr);
+    EXPECT_FALSE(explicit_row->run.is_complete());
+    EXPECT_TRUE(explicit_row->errors.empty());
+    EXPECT_NE(explicit_row->run.message, "");
+}
+
+TEST(Precision, AReferenceThatIsTooCoarseHidesWhatItCannotTell) {
+    PrecisionOptions options{.n_levels = 3};
+    options.most_reference_halvings = 1;
+    const Precision precision = compute_precision(stretched_cell(), options);
+    ASSERT_TRUE(precision.reference);
+    EXPECT_FALSE(precision.reference_is_fine_enough());
+    int n_hidden = 0;
+    for (const PrecisionRow& row : precision.rows)
+        if (!row.errors.empty() && !precision.is_resolved(row, 0)) ++n_hidden;
+    EXPECT_GT(n_hidden, 0);
+}
+
+TEST(Precision, ScenesWhoseTimesDependOnTheMethodAreRefused) {
+    scene::Scene scene = stretched_cell();
+    scene.stages[0].until = scene::Until::rest;
+    EXPECT_THROW(static_cast<void>(compute_precision(scene, {})), Error);
+}
+
+TEST(MeasuredRun, SamplesLieAtTheSameTimesForEveryMethod) {
+    const scene::Scene fixed = with_fixed_outputs(stretched_cell(), 8);
+    for (const MethodRow& method : all_methods()) {
+        MethodSetting setting = own_setting(fixed);
+        setting.method = &method;
+        const MeasuredRun run = measure_run(setting.applied_to(fixed), {});
+        ASSERT_TRUE(run.is_complete()) << method.name << ": " << run.message;
+        ASSERT_EQ(run.samples.size(), 8U) << method.name;
+        for (std::size_t k = 0; k < 8; ++k)
+            EXPECT_NEAR(run.samples[k].time_s, 0.008 * static_cast<double>(k + 1), 1e-15);
+    }
+}
+
+TEST(MeshLadder, TellsMeshErrorFromTimeError) {
+    scene::Scene scene = stretched_cell();
+    const MeshLadder ladder = compute_mesh_ladder(scene, 642, {});
+    ASSERT_EQ(ladder.levels.size(), 3U);
+    ASSERT_EQ(ladder.results.size(), all_mesh_measures().size());
+    for (const MeshLevel& level : ladder.levels) EXPECT_TRUE(level.run.is_complete());
+    int n_resolved = 0;
+    for (const MeshResult& result : ladder.results)
+        if (result.extrapolation.is_resolved) {
+            ++n_resolved;
+            EXPECT_TRUE(std::isfinite(result.mesh_error));
+        }
+    EXPECT_GT(n_resolved, 0);
+}
+
+}  // namespace
+}  // namespace spheroscope::reports
