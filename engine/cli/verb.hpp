@@ -36,6 +36,7 @@ struct Verb {
 [[nodiscard]] std::vector<Verb> engine_verbs(const reports::DrawPlot& draw);
 
 // One file verb_<name>.cpp each.
+[[nodiscard]] Verb bench_verb();
 [[nodiscard]] Verb check_verb();
 [[nodiscard]] Verb info_verb();
 [[nodiscard]] Verb precision_verb(const reports::DrawPlot& draw);

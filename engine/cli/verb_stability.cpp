@@ -5,6 +5,7 @@
 #include "engine/cli/report_output.hpp"
 #include "engine/cli/verb.hpp"
 #include "engine/reports/stability.hpp"
+#include "engine/reports/step_ladder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,12 +21,13 @@ namespace {
 
 struct StabilityArguments {
     std::vector<std::string> scenes;
+    bool steps = false;
     CommonOptions common;
 };
 
-std::vector<std::string> stress_scenes() {
+std::vector<std::string> scenes_of(const std::string& name) {
     std::vector<std::string> files;
-    const std::filesystem::path folder = std::filesystem::path(SPHEROSCOPE_SCENES_DIR) / "stress";
+    const std::filesystem::path folder = std::filesystem::path(SPHEROSCOPE_SCENES_DIR) / name;
     std::error_code failed;
     for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
         if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
@@ -112,11 +114,63 @@ std::string notes_of(const std::vector<reports::StabilityRow>& rows) {
                               rows.size() - n_run);
 }
 
+/// The steps at which explicit methods blow up, beside the program's own estimates.
+ExitCode climb(const StabilityArguments& arguments, const Invocation& invocation) {
+    const std::vector<std::string> files =
+        arguments.scenes.empty() ? scenes_of("bench") : arguments.scenes;
+    const InterruptGuard interrupts;
+    Progress progress(progress_style(arguments.common.quiet));
+    reports::StepLadderOptions options;
+    options.threads = arguments.common.n_threads();
+    options.stop = &interrupts.stop();
+    reports::ReportTable table;
+    table.columns = {{"scene"},      {"method"},     {"stable_s"},
+                     {"unstable_s"}, {"estimate_s"}, {"estimate_over_stable"},
+                     {"trials"},     {"why"}};
+    nlohmann::json ladders = nlohmann::json::array();
+    for (const std::string& file : files) {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        progress.update({file, unknown, unknown, unknown});
+        const scene::Scene scene = scene::load_scene(file, arguments.common.overrides());
+        for (const reports::StepLadder& ladder : reports::climb_steps(scene, options)) {
+            const double ratio = ladder.estimate_s / ladder.largest_stable_s;
+            std::string why;
+            nlohmann::json trials = nlohmann::json::array();
+            for (const reports::StepTrial& trial : ladder.trials) {
+                if (!trial.is_stable) why = trial.why;
+                trials.push_back(
+                    {{"dt_s", trial.dt_s}, {"stable", trial.is_stable}, {"why", trial.why}});
+            }
+            table.rows.push_back({ladder.scene, std::string(ladder.method->name),
+                                  ladder.largest_stable_s, ladder.smallest_unstable_s,
+                                  ladder.estimate_s, ratio,
+                                  static_cast<std::int64_t>(ladder.trials.size()), why});
+            ladders.push_back({{"scene", file},
+                               {"method", ladder.method->name},
+                               {"largest_stable_s", number_or_null(ladder.largest_stable_s)},
+                               {"smallest_unstable_s", number_or_null(ladder.smallest_unstable_s)},
+                               {"estimate_s", number_or_null(ladder.estimate_s)},
+                               {"estimate_over_stable", number_or_null(ratio)},
+                               {"trials", trials}});
+        }
+        if (interrupts.stop().load()) break;
+    }
+    progress.clear();
+    const std::string path = report_folder(arguments.common, "out/stability") + "/steps.csv";
+    write_text_file(path, table.csv_text(report_comments(arguments.common, invocation)));
+    if (arguments.common.json)
+        print_json({{"ladders", ladders}, {"machine", machine_json(arguments.common)}});
+    else
+        fmt::print("{}\nwritten to {}\n", table.aligned_text(), path);
+    return code_after_signal(ExitCode::ok);
+}
+
 ExitCode stability(const StabilityArguments& arguments, const reports::DrawPlot& draw,
                    const Invocation& invocation) {
     if (arguments.common.quiet) make_log_quiet();
+    if (arguments.steps) return climb(arguments, invocation);
     const std::vector<std::string> files =
-        arguments.scenes.empty() ? stress_scenes() : arguments.scenes;
+        arguments.scenes.empty() ? scenes_of("stress") : arguments.scenes;
     const InterruptGuard interrupts;
     Progress progress(progress_style(arguments.common.quiet));
     reports::StabilityOptions options;
@@ -166,6 +220,9 @@ Verb stability_verb(const reports::DrawPlot& draw) {
                 command.add_option(
                     "SCENES", arguments->scenes,
                     "scenes that say what must hold (default: all of scenes/stress)");
+                command.add_flag("--steps", arguments->steps,
+                                 "raise the step of explicit methods until they blow up, beside "
+                                 "the program's own estimate (default: scenes/bench)");
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::threads, CommonOption::seed,
                                     CommonOption::set, CommonOption::json, CommonOption::quiet,

@@ -54,12 +54,15 @@ MeasuredRun measure_run(const scene::Scene& scene, const MeasuredRunOptions& opt
         run.most_flipped_triangles =
             std::max(run.most_flipped_triangles, frame->totals.n_flipped_triangles);
         last = std::move(frame);
+        run.fastest_rate_per_s = std::max(run.fastest_rate_per_s, state.fastest_rate_per_s);
         watch_step();
         return {};
     };
     sinks.progress = [&](const RunProgress& progress) {
         if (outer.load() || (options.max_steps > 0 && progress.steps >= options.max_steps))
             too_long = true;
+        run.fastest_rate_per_s =
+            std::max(run.fastest_rate_per_s, engine.state().state.fastest_rate_per_s);
         watch_step();
     };
     const double cpu_s = cpu_clock_s();

@@ -34,8 +34,9 @@ struct MeasuredRun {
     std::uint64_t state_hash = 0;
     std::vector<Sample> samples;
     EndMeasures end;
-    double largest_step_um = 0.0;    ///< largest displacement of a node in an accepted step
-    int most_flipped_triangles = 0;  ///< at any output
+    double largest_step_um = 0.0;     ///< largest displacement of a node in an accepted step
+    double fastest_rate_per_s = 0.0;  ///< largest that an explicit method estimated; 0: none
+    int most_flipped_triangles = 0;   ///< at any output
 
     /// The run came to the end of its stages.
     [[nodiscard]] bool is_complete() const {

@@ -40,8 +40,8 @@ struct StabilityOptions {
     std::function<void(const std::string& what, double share)> progress{};  ///< may be empty
 };
 
-/// What the scene expects of a method: the table of its name, else of its class (`explicit`,
-/// `implicit`), else `all`; nullptr if there is none of them.
+/// What the scene expects of a method: the table of its name, else of its class (`explicit`:
+/// explicit with fixed steps; `implicit`), else `all`; nullptr if there is none of them.
 [[nodiscard]] const scene::Stability* stability_rule(const scene::Scene& scene,
                                                      const MethodRow& method);
 

@@ -200,9 +200,9 @@ const auto& tables() {
                   d.scene.stability.emplace_back().loc = loc;
                   d.scene.stability.back().methods = name;
               }, {},
-              "What `spheroscope stability` expects of a method, or of all methods that are "
-              "`explicit` or `implicit`, or of `all`; the first that fits, in this order. What "
-              "[expect] says holds for every run that comes to its end."},
+              "What `spheroscope stability` expects of the method of that name, or of all methods "
+              "that are `explicit` (with fixed steps) or `implicit`, or of `all`; the first that "
+              "fits, in this order. What [expect] says holds for every run that comes to its end."},
         Table{"variant", list, &enter<&Scene::variants>, {},
               "The same scene with some keys changed; `spheroscope stability` runs all of them in "
               "place of the scene itself."},

@@ -1,0 +1,193 @@
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/report_output.hpp"
+#include "engine/cli/verb.hpp"
+#include "engine/reports/engine_bench.hpp"
+#include "engine/reports/machine.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <memory>
+
+namespace spheroscope::cli {
+namespace {
+
+struct BenchArguments {
+    bool quick = false;
+    int repetitions = 5;
+    CommonOptions common;
+};
+
+double per_thing_ns(double ms, double things) {
+    return things > 0.0 ? 1e6 * ms / things : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// CPU time of a part by its name, ms; NaN if the row does not have it.
+double cpu_ms_of(const reports::BenchRow& row, const std::string& name) {
+    for (const reports::BenchTerm& term : row.terms)
+        if (term.name == name) return term.time.cpu_ms;
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+nlohmann::json json_of(const reports::BenchTime& time) {
+    return {{"wall_ms", time.wall_ms}, {"cpu_ms", time.cpu_ms}};
+}
+
+nlohmann::json json_of(const reports::BenchRow& row) {
+    nlohmann::json terms = nlohmann::json::object(), steps = nlohmann::json::array();
+    for (const reports::BenchTerm& term : row.terms) terms[term.name] = json_of(term.time);
+    for (const reports::BenchStep& step : row.steps)
+        steps.push_back({{"method", step.method},
+                         {"time", json_of(step.time)},
+                         {"dt_s", step.dt_s},
+                         {"step_error_um", step.error_um},
+                         {"linear_iterations", step.linear_iterations},
+                         {"message", step.message},
+                         {"hash", hash_text(step.state_hash)}});
+    const double search_ms = cpu_ms_of(row, "contact search");
+    return {{"cells", row.size.cells},
+            {"nodes", row.size.nodes},
+            {"threads", row.size.threads},
+            {"active_pairs", row.active_pairs},
+            {"candidates", row.candidates},
+            {"ns_per_candidate", number_or_null(per_thing_ns(search_ms, row.candidates))},
+            {"ns_per_active_pair", number_or_null(per_thing_ns(search_ms, row.active_pairs))},
+            {"force", json_of(row.force)},
+            {"force_error", number_or_null(row.force_error)},
+            {"force_and_stiffness", json_of(row.stiffness)},
+            {"terms", terms},
+            {"solve", json_of(row.solve)},
+            {"solve_dt_s", row.solve_dt_s},
+            {"solve_iterations", row.solve_iterations},
+            {"solve_residual", row.solve_residual},
+            {"steps", steps},
+            {"memory_MB", number_or_null(row.memory_MB)}};
+}
+
+/// One line for each size and method; what does not depend on the method is repeated.
+reports::ReportTable table_of(const std::vector<reports::BenchRow>& rows) {
+    reports::ReportTable table;
+    table.columns = {{"cells"},
+                     {"nodes"},
+                     {"threads"},
+                     {"active_pairs"},
+                     {"candidates", false},
+                     {"ns_per_candidate"},
+                     {"ns_per_active"},
+                     {"force_cpu_ms"},
+                     {"force_wall_ms", false},
+                     {"force_error"},
+                     {"stiffness_cpu_ms", false},
+                     {"solve_cpu_ms"},
+                     {"solve_iterations"},
+                     {"solve_residual"},
+                     {"method"},
+                     {"dt_s"},
+                     {"step_cpu_ms"},
+                     {"step_wall_ms"},
+                     {"step_error_um"},
+                     {"iterations"},
+                     {"memory_MB"},
+                     {"state_hash", false},
+                     {"message", false}};
+    for (const reports::BenchRow& row : rows)
+        for (const reports::BenchStep& step : row.steps) {
+            const double search_ms = cpu_ms_of(row, "contact search");
+            table.rows.push_back(
+                {std::int64_t{row.size.cells},
+                 std::int64_t{row.size.nodes},
+                 std::int64_t{row.size.threads},
+                 row.active_pairs,
+                 row.candidates,
+                 per_thing_ns(search_ms, row.candidates),
+                 per_thing_ns(search_ms, row.active_pairs),
+                 row.force.cpu_ms,
+                 row.force.wall_ms,
+                 row.force_error,
+                 row.stiffness.cpu_ms,
+                 row.solve.cpu_ms,
+                 std::int64_t{row.solve_iterations},
+                 row.solve_residual,
+                 step.method,
+                 step.dt_s,
+                 step.message.empty() ? reports::TableCell(step.time.cpu_ms)
+                                      : reports::TableCell(reports::Missing{"failed"}),
+                 step.message.empty() ? reports::TableCell(step.time.wall_ms)
+                                      : reports::TableCell(reports::Missing{"failed"}),
+                 step.error_um,
+                 std::int64_t{step.linear_iterations},
+                 row.memory_MB,
+                 hash_text(step.state_hash),
+                 step.message});
+        }
+    return table;
+}
+
+ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
+    if (arguments.common.quiet) make_log_quiet();
+    const std::string folder = report_folder(arguments.common, "out/bench");
+    const InterruptGuard interrupts;
+    Progress progress(progress_style(arguments.common.quiet));
+    const double limit_s = arguments.common.time_limit_s().value_or(0.0);
+    const double begin_s = reports::wall_clock_s();
+    const std::vector<reports::BenchSize> sizes = reports::bench_sizes(
+        arguments.quick ? reports::BenchExtent::quick : reports::BenchExtent::full);
+    std::vector<reports::BenchRow> rows;
+    bool is_complete = true;
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+        const bool is_late = limit_s > 0.0 && reports::wall_clock_s() - begin_s >= limit_s;
+        if (is_late || interrupts.stop().load()) {
+            is_complete = false;
+            break;
+        }
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        progress.update({fmt::format("{} cells, {} nodes, {} threads", sizes[k].cells,
+                                     sizes[k].nodes, sizes[k].threads),
+                         static_cast<double>(k) / static_cast<double>(sizes.size()), unknown,
+                         unknown});
+        rows.push_back(reports::run_bench(sizes[k], arguments.repetitions));
+    }
+    progress.clear();
+
+    const reports::ReportTable table = table_of(rows);
+    nlohmann::json document{{"rows", nlohmann::json::array()},
+                            {"machine", machine_json(arguments.common)},
+                            {"command", invocation.command_line},
+                            {"complete", is_complete}};
+    for (const reports::BenchRow& row : rows) document["rows"].push_back(json_of(row));
+    write_text_file(folder + "/bench.csv",
+                    table.csv_text(report_comments(arguments.common, invocation)));
+    write_text_file(folder + "/bench.json", document.dump(1) + "\n");
+    if (arguments.common.json)
+        print_json(document);
+    else
+        fmt::print("{}\nwritten to {}/bench.csv and bench.json\n", table.aligned_text(), folder);
+    return code_after_signal(is_complete ? ExitCode::ok : ExitCode::not_converged);
+}
+
+}  // namespace
+
+Verb bench_verb() {
+    return {"bench", "what the parts of a step cost, with the error at that cost",
+            [](CLI::App& command) -> VerbAction {
+                const auto arguments = std::make_shared<BenchArguments>();
+                command.add_flag("--quick", arguments->quick, "the small sizes only, in seconds");
+                command
+                    .add_option("--repetitions", arguments->repetitions,
+                                "of every timing; the least counts")
+                    ->check(CLI::Range(1, 1000));
+                add_common_options(command, arguments->common,
+                                   {CommonOption::output, CommonOption::json, CommonOption::quiet,
+                                    CommonOption::time_limit});
+                return [arguments](const Invocation& invocation) {
+                    return bench(*arguments, invocation);
+                };
+            }};
+}
+
+}  // namespace spheroscope::cli

@@ -1,0 +1,110 @@
+#include "engine/reports/step_ladder.hpp"
+
+#include "engine/reports/error_measures.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace spheroscope::reports {
+namespace {
+
+constexpr double k_undefined = std::numeric_limits<double>::quiet_NaN();
+/// |1 - dt rate| <= 1 for the fastest mode of forward Euler.
+constexpr double k_stable_dt_times_rate = 2.0;
+
+/// An error that no accuracy explains: the run has left the motion.
+struct Bound {
+    std::string_view measure;
+    double largest;
+};
+constexpr std::array<Bound, 3> k_bounds{
+    {{"shape", 0.1}, {"gamma_eff", 0.5}, {"contact_area", 0.1}}};
+
+class Climb {
+  public:
+    Climb(const scene::Scene& scene, const MethodRow& method, const StepLadderOptions& options)
+        : scene_(with_fixed_outputs(scene, 1)), options_(options) {
+        scene_.method.name = method.name;
+        scene_.method.tolerance_um = 0.0;
+        ladder_.method = &method;
+        ladder_.scene = scene.title;
+        ladder_.largest_stable_s = ladder_.smallest_unstable_s = ladder_.estimate_s = k_undefined;
+    }
+
+    StepLadder climb() {
+        find_estimate();
+        if (std::isnan(ladder_.estimate_s)) return std::move(ladder_);
+        scene_.method.stable_step = scene::StableStep::ignore;
+        reference_ = run(0.25 * ladder_.estimate_s);
+        if (!reference_.is_complete()) return std::move(ladder_);
+        scales_ = error_scales(scene_, reference_);
+        for (int k = 0; k <= 8; ++k) {
+            const double dt_s = ladder_.estimate_s * std::pow(2.0, 0.5 * k - 1.0);
+            if (!note(dt_s)) break;
+        }
+        for (int k = 0; k < options_.n_bisections; ++k) {
+            if (std::isnan(ladder_.largest_stable_s) || std::isnan(ladder_.smallest_unstable_s))
+                break;
+            note(std::sqrt(ladder_.largest_stable_s * ladder_.smallest_unstable_s));
+        }
+        return std::move(ladder_);
+    }
+
+  private:
+    MeasuredRun run(double dt_s) {
+        scene_.method.dt_s = dt_s;
+        return measure_run(scene_, {.threads = options_.threads, .stop = options_.stop});
+    }
+
+    /// The estimate comes out of a run that holds, and that run needs a step: halve the scene's own
+    /// until it is not refused.
+    void find_estimate() {
+        double dt_s = scene_.method.dt_s;
+        for (int k = 0; k < 12; ++k, dt_s *= 0.5) {
+            const MeasuredRun done = run(dt_s);
+            if (!done.is_complete()) continue;
+            if (done.fastest_rate_per_s > 0.0)
+                ladder_.estimate_s = k_stable_dt_times_rate / done.fastest_rate_per_s;
+            return;
+        }
+    }
+
+    /// Tries a step and notes what came of it; true if it holds.
+    bool note(double dt_s) {
+        const MeasuredRun done = run(dt_s);
+        StepTrial trial{dt_s, done.is_complete(), done.message};
+        if (trial.is_stable)
+            for (const Bound& bound : k_bounds)
+                for (const ErrorMeasure& measure : all_error_measures()) {
+                    if (measure.name != bound.measure) continue;
+                    const double error = measure.compute(done, reference_, scales_);
+                    if (std::isnan(error) || error <= bound.largest) continue;
+                    trial.is_stable = false;
+                    trial.why = fmt::format("{} is off by {:.3g}", measure.name, error);
+                }
+        (trial.is_stable ? ladder_.largest_stable_s : ladder_.smallest_unstable_s) = dt_s;
+        ladder_.trials.push_back(trial);
+        return trial.is_stable;
+    }
+
+    scene::Scene scene_;
+    StepLadderOptions options_;
+    StepLadder ladder_;
+    MeasuredRun reference_;
+    ErrorScales scales_;
+};
+
+}  // namespace
+
+std::vector<StepLadder> climb_steps(const scene::Scene& scene, const StepLadderOptions& options) {
+    std::vector<StepLadder> ladders;
+    for (const MethodRow& method : all_methods())
+        if (!method.needs_stiffness && !method.adaptive)
+            ladders.push_back(Climb(scene, method, options).climb());
+    return ladders;
+}
+
+}  // namespace spheroscope::reports

@@ -1,0 +1,146 @@
+// `stability` and `bench`, as a script sees them.
+#include "tests/cli/program_runner.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace spheroscope {
+namespace {
+
+/// One stretched cell of 42 nodes for 32 ms, which every method brings to its end.
+const char* const k_scene = R"([cells]
+arrangement = "single"
+nodes = 42
+radius = 9
+[start]
+stretch = [1.05, 0.98, 0.97]
+[cortex.elastic]
+E = 20
+[cortex.tension]
+gamma = 0.5
+[cortex.viscosity]
+eta = 1
+[cytosol]
+[medium]
+[method]
+dt = "4 ms"
+[[stage]]
+kind = "relax"
+duration = "0.032 s"
+[expect]
+volume_error = { max = 0.1 }
+[stability.all]
+outcome = "ends"
+[[variant]]
+name = "soft"
+set = ["cortex.elastic.E=20"]
+[[variant]]
+name = "refused"
+set = ["cortex.elastic.E=-1", "stability.all.outcome=stops", "stability.all.names=['E']"]
+)";
+
+class StabilityVerb : public ProgramRunner {
+  protected:
+    StabilityVerb() { write_file("scene.toml", k_scene); }
+    [[nodiscard]] Outcome judge(const std::string& scene) const {
+        write_file("scene.toml", scene);
+        return call({"stability", "scene.toml", "--json", "--quiet"});
+    }
+};
+
+TEST_F(StabilityVerb, GivesOneObjectForEachSceneAndMethodWithWhatScriptsRelyOn) {
+    const Outcome outcome = judge(k_scene);
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    const auto document = nlohmann::json::parse(outcome.out);
+    ASSERT_GE(document["runs"].size(), 4U);
+    int n_refused = 0;
+    for (const auto& run : document["runs"]) {
+        for (const char* key : {"scene", "method", "expectation", "outcome", "met", "hash"})
+            EXPECT_TRUE(run.contains(key)) << key;
+        EXPECT_EQ(run["met"], true) << run;
+        if (run["outcome"] == "refused") ++n_refused;
+    }
+    EXPECT_EQ(2 * n_refused, static_cast<int>(document["runs"].size()));
+}
+
+TEST_F(StabilityVerb, EndsWithFourWhenAMeasureIsNotAsExpected) {
+    const Outcome outcome = judge(with(k_scene, "{ max = 0.1 }", "{ max = 1e-12 }"));
+    EXPECT_EQ(outcome.code, 4);
+    for (const auto& run : nlohmann::json::parse(outcome.out)["runs"])
+        if (run["outcome"] == "ended") {
+            EXPECT_EQ(run["met"], false);
+            EXPECT_NE(run["failures"][0].get<std::string>().find("volume_error"),
+                      std::string::npos);
+        }
+}
+
+TEST_F(StabilityVerb, EndsWithFourWhenARunThatShouldStopComesToItsEnd) {
+    EXPECT_EQ(judge(with(k_scene, "outcome = \"ends\"", "outcome = \"stops\"")).code, 4);
+}
+
+TEST_F(StabilityVerb, EndsWithFourWhenTheReasonNamesSomethingElse) {
+    EXPECT_EQ(judge(with(k_scene, "['E']", "['viscosity']")).code, 4);
+}
+
+TEST_F(StabilityVerb, AStopThatWasExpectedIsMetAndALaterOneThanAllowedIsNot) {
+    std::string scene = with(k_scene, "E = 20", "E = 2000");
+    scene = with(scene, "cortex.elastic.E=20\"", "cortex.elastic.E=2000\"");
+    scene = with(scene, "dt = \"4 ms\"", "dt = \"30 ms\"");
+    scene = with(scene, "[stability.all]",
+                 "[stability.forward_euler]\noutcome = \"stops\"\nwithin = 1\n[stability.all]");
+    const Outcome outcome = judge(scene);
+    for (const auto& run : nlohmann::json::parse(outcome.out)["runs"])
+        if (run["method"] == "forward_euler" && run["variant"] == "soft") {
+            EXPECT_EQ(run["outcome"], "stopped") << run;
+            EXPECT_EQ(run["met"], true) << run;
+        }
+}
+
+TEST_F(StabilityVerb, ASceneThatExpectsNothingIsAMistake) {
+    const std::string scene = k_scene;
+    const Outcome outcome = judge(scene.substr(0, scene.find("[stability.all]")));
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("does not say what it expects"), std::string::npos) << outcome.err;
+}
+
+TEST_F(StabilityVerb, AClassOfMethodsThatDoesNotExistIsAMistake) {
+    const Outcome outcome = judge(with(
+        k_scene, "[stability.all]", "[stability.implicid]\noutcome = \"ends\"\n[stability.all]"));
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("implicid"), std::string::npos) << outcome.err;
+}
+
+TEST_F(StabilityVerb, StepsFindsTheBlowUpOfTheExplicitMethodBesideTheEstimate) {
+    const Outcome outcome =
+        call({"stability", "scene.toml", "--steps", "--json", "--quiet", "--set",
+              "cortex.elastic.E=320", "--set", "stage[0].duration=0.256 s"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto ladder = nlohmann::json::parse(outcome.out)["ladders"][0];
+    EXPECT_EQ(ladder["method"], "forward_euler");
+    const double stable = ladder["largest_stable_s"], unstable = ladder["smallest_unstable_s"];
+    EXPECT_LT(stable, unstable);
+    EXPECT_LT(unstable, 1.1 * stable) << "bisected";
+    const double ratio = ladder["estimate_over_stable"];
+    EXPECT_GT(ratio, 0.5);
+    EXPECT_LT(ratio, 1.3);
+}
+
+TEST_F(StabilityVerb, BenchGivesTimesTogetherWithErrorsAndHashes) {
+    const Outcome outcome = call({"bench", "--quick", "--repetitions", "1", "--json", "--quiet",
+                                  "-o", "here", "--time-limit", "50 ms"});
+    const auto document = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(outcome.code, document["complete"] == true ? 0 : 3) << outcome.err;
+    ASSERT_GE(document["rows"].size(), 1U);
+    const auto& row = document["rows"][0];
+    for (const char* key : {"cells", "nodes", "threads", "force", "force_error", "terms", "solve",
+                            "solve_iterations", "solve_residual", "steps", "memory_MB"})
+        EXPECT_TRUE(row.contains(key)) << key;
+    EXPECT_GT(row["force"]["cpu_ms"], 0.0);
+    EXPECT_LE(row["solve_residual"], 2e-3);
+    for (const auto& step : row["steps"])
+        for (const char* key : {"method", "time", "step_error_um", "hash"})
+            EXPECT_TRUE(step.contains(key)) << key;
+    EXPECT_EQ(names_in("here"), (std::vector<std::string>{"bench.csv", "bench.json"}));
+}
+
+}  // namespace
+}  // namespace spheroscope
