@@ -56,7 +56,8 @@ Error unexpected_argument(const std::string& argument, const CLI::App& command,
                  hint);
 }
 
-ExitCode run_verb(const Verb& verb, const std::vector<std::string>& arguments) {
+ExitCode run_verb(const Verb& verb, const std::vector<std::string>& arguments,
+                  const std::string& version) {
     CLI::App command(verb.summary, "spheroscope " + verb.name);
     command.allow_extras();  // so that they can be reported with a proposal
     const VerbAction action = verb.declare(command);
@@ -73,7 +74,7 @@ ExitCode run_verb(const Verb& verb, const std::vector<std::string>& arguments) {
     }
     const std::vector<std::string> unexpected = command.remaining();
     if (!unexpected.empty()) throw unexpected_argument(unexpected.front(), command, hint);
-    return action(Invocation{command_line_text(arguments)});
+    return action(Invocation{command_line_text(arguments), version});
 }
 
 ExitCode dispatch(const std::vector<std::string>& arguments, std::span<const Verb> verbs,
@@ -93,7 +94,7 @@ ExitCode dispatch(const std::vector<std::string>& arguments, std::span<const Ver
     }
     if (first.rfind('-', 0) == 0)
         throw Error(fmt::format("wanted a verb first, got the option '{}'", first), k_verbs_hint);
-    return run_verb(find_verb(first, verbs), arguments);
+    return run_verb(find_verb(first, verbs), arguments, version);
 }
 
 }  // namespace

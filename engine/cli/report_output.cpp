@@ -1,7 +1,6 @@
 #include "engine/cli/report_output.hpp"
 
 #include "engine/cli/interrupt.hpp"
-#include "engine/cli/version.hpp"
 #include "engine/reports/machine.hpp"
 
 #include <fmt/format.h>
@@ -38,17 +37,17 @@ void write_text_file(const std::string& path, const std::string& text) {
 std::vector<std::string> report_comments(const CommonOptions& options,
                                          const Invocation& invocation) {
     const reports::Machine machine = reports::this_machine();
-    return {"spheroscope " + version_text(), "command: " + invocation.command_line,
+    return {"spheroscope " + invocation.version, "command: " + invocation.command_line,
             fmt::format("machine: {}, {} cores, {} threads used", machine.processor, machine.cores,
                         options.n_threads())};
 }
 
-nlohmann::json machine_json(const CommonOptions& options) {
+nlohmann::json machine_json(const CommonOptions& options, const Invocation& invocation) {
     const reports::Machine machine = reports::this_machine();
     return {{"processor", machine.processor},
             {"cores", machine.cores},
             {"threads", options.n_threads()},
-            {"version", version_text()}};
+            {"version", invocation.version}};
 }
 
 nlohmann::json number_or_null(double value) {

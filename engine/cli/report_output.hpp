@@ -21,7 +21,8 @@ void write_text_file(const std::string& path, const std::string& text);
 /// Under which circumstances numbers were made: version, processor, threads, command.
 [[nodiscard]] std::vector<std::string> report_comments(const CommonOptions& options,
                                                        const Invocation& invocation);
-[[nodiscard]] nlohmann::json machine_json(const CommonOptions& options);
+[[nodiscard]] nlohmann::json machine_json(const CommonOptions& options,
+                                          const Invocation& invocation);
 
 /// null where a number is missing or not finite: JSON has no word for it.
 [[nodiscard]] nlohmann::json number_or_null(double value);

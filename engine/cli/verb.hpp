@@ -16,6 +16,7 @@ namespace spheroscope::cli {
 /// How the program was called, for those who write it into their results.
 struct Invocation {
     std::string command_line;  ///< ready to be pasted into a shell
+    std::string version{};     ///< of the program, with commit
 };
 
 /// What a verb does once its arguments have been read. A user's mistake is thrown as Error.

@@ -23,15 +23,18 @@ struct BenchArguments {
     CommonOptions common;
 };
 
-double per_thing_ns(double ms, double things) {
-    return things > 0.0 ? 1e6 * ms / things : std::numeric_limits<double>::quiet_NaN();
+/// A time per thing where there are things; else nothing.
+double time_or_nothing(double ns, std::int64_t things) {
+    return things > 0 ? ns : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// CPU time of a part by its name, ms; NaN if the row does not have it.
-double cpu_ms_of(const reports::BenchRow& row, const std::string& name) {
-    for (const reports::BenchTerm& term : row.terms)
-        if (term.name == name) return term.time.cpu_ms;
-    return std::numeric_limits<double>::quiet_NaN();
+nlohmann::json json_of(const ContactTiming::Kernel& kernel) {
+    return {{"candidates", kernel.candidates},
+            {"active_pairs", kernel.active_pairs},
+            {"ns_per_candidate",
+             number_or_null(time_or_nothing(kernel.ns_per_candidate, kernel.candidates))},
+            {"ns_per_active_pair",
+             number_or_null(time_or_nothing(kernel.ns_per_active_pair, kernel.active_pairs))}};
 }
 
 nlohmann::json json_of(const reports::BenchTime& time) {
@@ -49,14 +52,12 @@ nlohmann::json json_of(const reports::BenchRow& row) {
                          {"linear_iterations", step.linear_iterations},
                          {"message", step.message},
                          {"hash", hash_text(step.state_hash)}});
-    const double search_ms = cpu_ms_of(row, "contact search");
     return {{"cells", row.size.cells},
             {"nodes", row.size.nodes},
             {"threads", row.size.threads},
-            {"active_pairs", row.active_pairs},
-            {"candidates", row.candidates},
-            {"ns_per_candidate", number_or_null(per_thing_ns(search_ms, row.candidates))},
-            {"ns_per_active_pair", number_or_null(per_thing_ns(search_ms, row.active_pairs))},
+            {"contact", json_of(row.contact.simd)},
+            {"plain_contact", json_of(row.contact.plain)},
+            {"simd", row.contact.target},
             {"force", json_of(row.force)},
             {"force_error", number_or_null(row.force_error)},
             {"force_and_stiffness", json_of(row.stiffness)},
@@ -79,6 +80,7 @@ reports::ReportTable table_of(const std::vector<reports::BenchRow>& rows) {
                      {"candidates", false},
                      {"ns_per_candidate"},
                      {"ns_per_active"},
+                     {"ns_plain"},
                      {"force_cpu_ms"},
                      {"force_wall_ms", false},
                      {"force_error"},
@@ -97,15 +99,17 @@ reports::ReportTable table_of(const std::vector<reports::BenchRow>& rows) {
                      {"message", false}};
     for (const reports::BenchRow& row : rows)
         for (const reports::BenchStep& step : row.steps) {
-            const double search_ms = cpu_ms_of(row, "contact search");
+            const ContactTiming::Kernel& simd = row.contact.simd;
+            const ContactTiming::Kernel& plain = row.contact.plain;
             table.rows.push_back(
                 {std::int64_t{row.size.cells},
                  std::int64_t{row.size.nodes},
                  std::int64_t{row.size.threads},
-                 row.active_pairs,
-                 row.candidates,
-                 per_thing_ns(search_ms, row.candidates),
-                 per_thing_ns(search_ms, row.active_pairs),
+                 simd.active_pairs,
+                 simd.candidates,
+                 time_or_nothing(simd.ns_per_candidate, simd.candidates),
+                 time_or_nothing(simd.ns_per_active_pair, simd.active_pairs),
+                 time_or_nothing(plain.ns_per_active_pair, plain.active_pairs),
                  row.force.cpu_ms,
                  row.force.wall_ms,
                  row.force_error,
@@ -156,7 +160,7 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
 
     const reports::ReportTable table = table_of(rows);
     nlohmann::json document{{"rows", nlohmann::json::array()},
-                            {"machine", machine_json(arguments.common)},
+                            {"machine", machine_json(arguments.common, invocation)},
                             {"command", invocation.command_line},
                             {"complete", is_complete}};
     for (const reports::BenchRow& row : rows) document["rows"].push_back(json_of(row));

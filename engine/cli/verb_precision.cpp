@@ -36,7 +36,7 @@ void give_out(const std::string& path, const reports::ReportTable& table, const 
         for (const std::string& file : draw_report_plot(draw, *plot, path)) files.push_back(file);
     if (arguments.common.json) {
         document["scene"] = arguments.scene;
-        document["machine"] = machine_json(arguments.common);
+        document["machine"] = machine_json(arguments.common, invocation);
         document["files"] = files;
         print_json(document);
         return;

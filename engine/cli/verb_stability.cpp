@@ -159,7 +159,7 @@ ExitCode climb(const StabilityArguments& arguments, const Invocation& invocation
     const std::string path = report_folder(arguments.common, "out/stability") + "/steps.csv";
     write_text_file(path, table.csv_text(report_comments(arguments.common, invocation)));
     if (arguments.common.json)
-        print_json({{"ladders", ladders}, {"machine", machine_json(arguments.common)}});
+        print_json({{"ladders", ladders}, {"machine", machine_json(arguments.common, invocation)}});
     else
         fmt::print("{}\nwritten to {}\n", table.aligned_text(), path);
     return code_after_signal(ExitCode::ok);
@@ -196,7 +196,7 @@ ExitCode stability(const StabilityArguments& arguments, const reports::DrawPlot&
 
     if (arguments.common.json) {
         print_json({{"runs", json_of(rows)},
-                    {"machine", machine_json(arguments.common)},
+                    {"machine", machine_json(arguments.common, invocation)},
                     {"files", written}});
     } else {
         fmt::print("{}\n{}", table.aligned_text(), notes_of(rows));

@@ -5,7 +5,7 @@
 
 #include "engine/reports/engine_bench.hpp"
 
-#include "engine/contact/contact_search.hpp"
+#include "engine/contact/contact_timing.hpp"
 #include "engine/contact/triangle_pair.hpp"
 #include "engine/reports/machine.hpp"
 #include "engine/stages/build.hpp"
@@ -145,27 +145,9 @@ void time_parts(System& system, std::span<const std::vector<Vec3>, 2> x_um, int 
                              for (int cell = 0; cell < model.n_cells(); ++cell)
                                  geometry.compute_cell(model, x_of(k), system.needs(), cell);
                          })});
-    if (system.parts().contact) {
-        ContactSearch search(*system.parts().contact, system.parts().contact_skin_um);
-        Workers one(1);
-        Contacts contacts;
-        std::int64_t candidates_before = 0, pairs_before = 0;
-        const auto find = [&](int k) {
-            for (int cell = 0; cell < model.n_cells(); ++cell)
-                geometry.compute_cell(model, x_of(k), system.needs(), cell);
-            candidates_before = search.counts().candidates;
-            pairs_before = search.counts().active_pairs;
-            search.find(model, x_of(k), geometry, one, contacts);
-        };
-        const BenchTime first = least_time(1, find);
-        BenchTime next = least_time(repetitions, find);
-        next.wall_ms = std::max(0.0, next.wall_ms - row.terms[0].time.wall_ms);
-        next.cpu_ms = std::max(0.0, next.cpu_ms - row.terms[0].time.cpu_ms);
-        row.candidates = static_cast<double>(search.counts().candidates - candidates_before);
-        row.active_pairs = static_cast<double>(search.counts().active_pairs - pairs_before);
-        row.terms.push_back({"contact search, with lists", first});
-        row.terms.push_back({"contact search", next});
-    }
+    if (system.parts().contact)
+        row.contact = time_contacts(model, x_um[0], *system.parts().contact,
+                                    system.parts().contact_precision, repetitions);
     const Configuration at = system.configuration();
     std::vector<Vec3> F(model.n_all_nodes(), Vec3::Zero());
     for (const auto& term : system.parts().terms)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/contact/contact_timing.hpp"
 #include "engine/solve/method.hpp"
 
 #include <atomic>
@@ -39,8 +40,8 @@ struct BenchStep {
 
 struct BenchRow {
     BenchSize size;
-    double active_pairs = 0.0, candidates = 0.0;
-    std::vector<BenchTerm> terms;  ///< geometry, contact search, then the force terms
+    ContactTiming contact;         ///< one thread; all zero for one cell
+    std::vector<BenchTerm> terms;  ///< geometry, then the force terms
     BenchTime force;               ///< whole evaluation of forces
     BenchTime stiffness;           ///< forces and stiffness
     double force_error = 0.0;      ///< of the contact kernel against contact_of_triangles, over the
