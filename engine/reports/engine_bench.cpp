@@ -243,7 +243,8 @@ BenchRow run_bench(const BenchSize& size, int repetitions) {
     time_solve(system, repetitions, row);
     time_parts(system, std::span<const std::vector<Vec3>, 2>(x_um), repetitions, row);
     for (const MethodRow& method : all_methods())
-        row.steps.push_back(time_steps(scene, method, system, x_um[0]));
+        if (method.moves_in_time())  // the system has a controller, which is a motion in time
+            row.steps.push_back(time_steps(scene, method, system, x_um[0]));
     row.memory_MB = resident_MB() - memory_before_MB;
     return row;
 }

@@ -176,9 +176,11 @@ Precision compute_precision(const scene::Scene& scene, const PrecisionOptions& o
     const double begin_s = wall_clock_s();
     const scene::Scene fixed = with_fixed_outputs(scene, options.n_outputs);
     Precision precision;
-    for (const MethodRow& method : all_methods())
+    for (const MethodRow& method : all_methods()) {
+        if (!method.moves_in_time()) continue;  // there is no motion to compare
         for (const MethodSetting& setting : ladder(method, scene, options.n_levels))
             precision.rows.push_back({setting, false, {}, {}});
+    }
     double done = 0.0;
     for (PrecisionRow& row : precision.rows) {
         const double left_s = remaining_s(k_table_share * options.wall_limit_s, begin_s);

@@ -104,6 +104,9 @@ void judge_stop(const scene::Stability& rule, StabilityRow& row) {
 void run_row(scene::Scene scene, const scene::Stability& rule, const StabilityOptions& options,
              double wall_limit_s, StabilityRow& row) {
     scene.method.name = row.method->name;
+    // A controller is a motion in time; where there is none, its end is held from the start.
+    if (!row.method->moves_in_time() && scene.cytosol)
+        scene.cytosol->controller = scene::VolumeController::exact;
     scene = with_report_fields(scene);
     row.largest_step_h0 = row.force_change = k_undefined;
     try {

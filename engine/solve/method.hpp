@@ -65,6 +65,9 @@ struct MethodRow {
     bool holds_exact_volume;  ///< can keep V = V* (controller = "exact")
     std::string_view description;
     std::unique_ptr<Method> (*make)(const MethodParameters&);
+
+    /// Its states are states of the motion at their times; else only its end means something.
+    [[nodiscard]] bool moves_in_time() const { return order > 0; }
 };
 [[nodiscard]] std::span<const MethodRow> all_methods();
 [[nodiscard]] const MethodRow* find_method(std::string_view name);

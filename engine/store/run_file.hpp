@@ -19,7 +19,7 @@ struct RunEnd {
     std::string
         outcome;  ///< in words: "rest", "cap", "interrupted", ... ; "" while the run goes on
     double wall_time_s = 0.0;          ///< what the run took
-    std::vector<MeasureError> errors;  ///< how wrong the measures of the end are; /accuracy
+    std::vector<MeasureError> errors = {};  ///< how wrong the measures of the end are; /accuracy
 };
 
 /// Writes a run to an HDF5 file, one group per frame (engine/store/README.md). Whatever kills the
