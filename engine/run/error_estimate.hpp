@@ -36,7 +36,8 @@ struct MeasureError {
 /// e' = f'(x) e + c dt^p x^(p+1), to leading order. Since f' x' = x'', and so on for the next
 /// derivatives where f is nearly linear, e = c (sum of dt_n^(p+1)) x^(p+1)(t) is its solution: what
 /// all steps have left behind, propagated to the end, is seen in the last velocities alone. It
-/// vanishes at rest, as it must. c = 1/2 for the Euler methods; of second order, 1/6.
+/// vanishes at rest, as it must. Motions with contacts are not nearly linear: c is measured, and
+/// what comes out is an order of magnitude and not a bound.
 ///
 /// What ends before rest still moves by v / lambda, with lambda the rate at which the speed has
 /// fallen lately; where it does not fall, by what as much time again as the stage's would bring.

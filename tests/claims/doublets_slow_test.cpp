@@ -168,10 +168,11 @@ TEST(MirrorImages, RestOnASmallerContactThanCellsThatAreTurned) {
     const std::string mirrored =
         std::string(turned).replace(from, to - from, pair + "nodes = 162\n\n");
     const SceneRun on_saddle =
-        run_scene(scene::parse_scene(mirrored, "mirrored.toml", {{"stage[0].duration", "50"}}));
+        run_scene(scene::parse_scene(mirrored, "mirrored.toml", {{"stage[0].duration", "20"}}));
     const SceneRun settled =
         run_scene("claims/doublet_ii.toml", {{"cells.nodes", "162"}, {"stage[0].duration", "50"}});
-    // At rest by its velocities, and yet a quarter of the contact is missing.
+    // At rest by its velocities, and yet a fifth of the contact is missing: until round-off, some
+    // 30 s later, takes the pair off the saddle.
     EXPECT_LT(on_saddle.last().totals.normal_speed_rms_um_per_s, 1e-3);
     EXPECT_LT(on_saddle.last().totals.contact_area_um2,
               0.85 * settled.last().totals.contact_area_um2);

@@ -1,0 +1,98 @@
+#include "engine/run/error_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace spheroscope {
+namespace {
+
+/// x' = -rate x from (1, 0, 0), by implicit Euler steps of dt_s; returns x at the end.
+double decay(ErrorCollector& collector, double rate_per_s, double dt_s, int n_steps) {
+    double x = 1.0;
+    for (int k = 0; k < n_steps; ++k) {
+        const double before = x;
+        x /= 1.0 + rate_per_s * dt_s;
+        const std::vector<Vec3> v{Vec3((x - before) / dt_s, 0.0, 0.0)};
+        collector.after_step(dt_s, v);
+        collector.after_measurement(dt_s * (k + 1), v);
+    }
+    return x;
+}
+
+TEST(TimeError, OfADecayIsOfTheSizeOfTheTrueOneAndHalvesWithTheStep) {
+    double before_um = 0.0;
+    for (const double dt_s : {0.02, 0.01, 0.005}) {
+        ErrorCollector collector;
+        const double x = decay(collector, 1.0, dt_s, static_cast<int>(std::lround(1.0 / dt_s)));
+        const double true_um = std::abs(x - std::exp(-1.0));
+        const std::vector<Vec3> error = collector.time_error_um(1);
+        ASSERT_EQ(error.size(), 1U);
+        const double ratio = true_um / error[0].norm();
+        EXPECT_GT(ratio, 0.1) << dt_s;
+        EXPECT_LT(ratio, 3.0) << dt_s;
+        if (before_um > 0.0) {
+            EXPECT_NEAR(error[0].norm() / before_um, 0.5, 0.05);
+        }
+        before_um = error[0].norm();
+    }
+}
+
+TEST(TimeError, VanishesAtRestAndIsUnknownWithoutStepsOrOrder) {
+    ErrorCollector collector;
+    EXPECT_TRUE(collector.time_error_um(1).empty());
+    const double x = decay(collector, 1.0, 0.5, 100);
+    EXPECT_LT(collector.time_error_um(1)[0].norm(), 1e-12);
+    EXPECT_LT(x, 1e-12);
+    EXPECT_TRUE(collector.time_error_um(0).empty());
+    collector.forget_velocities();
+    EXPECT_TRUE(collector.time_error_um(1).empty());
+}
+
+TEST(MissingDisplacement, OfADecayIsWhatIsLeftOfIt) {
+    ErrorCollector collector;
+    const double x = decay(collector, 1.0, 0.01, 300);
+    EXPECT_NEAR(-collector.missing_displacement_um(3.0)[0].x(), x, 0.02 * x);
+}
+
+TEST(MissingDisplacement, OfAMotionThatDoesNotSlowDownIsThatOfAnotherStage) {
+    ErrorCollector collector;
+    const std::vector<Vec3> v{Vec3(0.0, 0.25, 0.0)};
+    for (int k = 1; k <= 3; ++k) {
+        collector.after_step(1.0, v);
+        collector.after_measurement(k, v);
+    }
+    EXPECT_EQ(collector.missing_displacement_um(8.0)[0], Vec3(0.0, 2.0, 0.0));
+}
+
+TEST(MeasureError, AddsItsPartsSaysWhatWouldHalveTheLargestAndWhenNothingIsResolved) {
+    MeasureError error{"contact_area", "um^2", 10.0, 3.0, 4.0};
+    EXPECT_DOUBLE_EQ(error.total(), 5.0);
+    EXPECT_TRUE(error.is_resolved());
+    EXPECT_NE(error.advice().find("relaxation"), std::string::npos);
+    error.mesh = 12.0;
+    EXPECT_DOUBLE_EQ(error.total(), 13.0);
+    EXPECT_FALSE(error.is_resolved());
+    EXPECT_NE(error.advice().find("mesh"), std::string::npos);
+    const MeasureError unknown{"energy", "fJ", 1.0};
+    EXPECT_TRUE(std::isnan(unknown.total()));
+    EXPECT_TRUE(unknown.is_resolved());
+    EXPECT_EQ(unknown.advice(), "");
+}
+
+TEST(MeshError, IsTheDifferenceToTheCoarserMeshOverTwoToTheThreeHalvesLessOne) {
+    Totals fine{}, coarse{};
+    fine.contact_area_um2 = 100.0;
+    coarse.contact_area_um2 = 90.0;
+    std::vector<MeasureError> errors = measure_errors(fine, nullptr, nullptr);
+    add_mesh_error(errors, coarse);
+    for (const MeasureError& error : errors)
+        if (error.measure == "contact_area") {
+            EXPECT_NEAR(error.mesh, 10.0 / (std::pow(2.0, 1.5) - 1.0), 1e-12);
+            EXPECT_TRUE(std::isnan(error.time));
+        }
+    EXPECT_EQ(errors.size(), estimated_measures().size());
+}
+
+}  // namespace
+}  // namespace spheroscope
