@@ -25,9 +25,8 @@ namespace spheroscope {
 /// in one canonical order. So the contacts, to the bit, depend on the configuration, the precision
 /// and the SIMD target alone, and not on the number of threads.
 ///
-/// Tried: lists of candidates with a skin, rebuilt when a node has moved half of it. Steps of the
-/// implicit methods move nodes that far nearly every time, and a rebuild cost more than finding the
-/// contacts; the lists took 8 bytes for each of 4 candidates per contact pair.
+/// There are no lists of candidates: steps of the implicit methods move nodes so far that a list
+/// would be made anew nearly every time.
 class ContactSearch {
   public:
     ContactSearch(const ContactLaw& law, ContactPrecision precision)

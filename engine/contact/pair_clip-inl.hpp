@@ -14,10 +14,6 @@
 //    point on this line, where its part of the integrals is zero.
 //  - Otherwise they are taken about the middle of the segments' ends, so that small polygons keep
 //    their digits.
-//
-// Tried: no grid, crossings of edges from either side's own rounding: areas wrong by 1e-3 for edges
-// at 1e-4 to each other. Clipping the line delta = 0 as a seventh segment: it does not close where
-// delta is nearly constant.
 
 #if defined(SPHEROSCOPE_PAIR_CLIP_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SPHEROSCOPE_PAIR_CLIP_INL

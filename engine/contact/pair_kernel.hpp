@@ -18,8 +18,7 @@
 //            by A^p, moments by Green's theorem, nodal forces
 //
 // Both go through pairs in the canonical order, so nothing is sorted, and no lane looks at another
-// one: the result of a pair depends on the pair alone. There are no candidate lists that would have
-// to be kept: the filter costs less than reading such a list (measured: see engine/README.md).
+// one: the result of a pair depends on the pair alone.
 
 namespace spheroscope {
 

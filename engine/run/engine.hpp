@@ -16,7 +16,7 @@
 namespace spheroscope {
 
 struct EngineOptions {
-    int threads = 2;
+    int threads = 2;  ///< at most; small systems use fewer, with the same bits
     std::string version;
     std::string command_line;
     double checkpoint_every_wall_s = 10.0;

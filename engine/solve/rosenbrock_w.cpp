@@ -21,8 +21,6 @@
 // Error: the first stage alone, x_n + dt k1, is a solution of order 1; it differs from the step by
 // dt/2 |k1 + k2|. That costs nothing. The estimate is then of order dt^2, one less than the step's
 // own error: what is controlled is an upper bound.
-//
-// The largest of several g that are A-stable was found by measurement, see k_gamma.
 
 #include "engine/solve/rosenbrock_w.hpp"
 

@@ -18,7 +18,7 @@ struct RunEnd {
     bool is_complete = false;  ///< all stages came to their end
     std::string
         outcome;  ///< in words: "rest", "cap", "interrupted", ... ; "" while the run goes on
-    double wall_time_s = 0.0;          ///< what the run took
+    double wall_time_s = 0.0;               ///< what the run took
     std::vector<MeasureError> errors = {};  ///< how wrong the measures of the end are; /accuracy
 };
 

@@ -1,5 +1,5 @@
-#include "render/plot.hpp"
 #include "engine/base/error.hpp"
+#include "render/plot.hpp"
 #include "render/png.hpp"
 #include "tests/render/temporary_folder.hpp"
 
