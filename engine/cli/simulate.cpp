@@ -141,12 +141,9 @@ void take_from_file(const RunFileReader& reader, const scene::Scene& scene,
 /// mesh stays unknown, and the log says why.
 void estimate_mesh_error(const scene::Scene& scene, const EngineOptions& options,
                          const std::atomic<bool>& stop, RunResult& result) {
-    scene::Scene coarser = scene;
-    coarser.cells.nodes = (scene.cells.nodes + 6) / 4;  // each subdivision makes 4 n - 6 of n
-    for (scene::Stage& stage : coarser.stages) {
-        stage.nodes = std::min(stage.nodes, coarser.cells.nodes);
-        stage.frames = 0;
-    }
+    // Each subdivision makes 4 n - 6 nodes of n.
+    scene::Scene coarser = scene::on_mesh(scene, (scene.cells.nodes + 6) / 4);
+    for (scene::Stage& stage : coarser.stages) stage.frames = 0;
     spdlog::info("once more with {} nodes per cell, for the error of the mesh",
                  coarser.cells.nodes);
     EngineOptions once = options;

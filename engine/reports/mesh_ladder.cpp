@@ -105,8 +105,7 @@ MeshLadder compute_mesh_ladder(const scene::Scene& scene, int most_nodes,
         run(result.finer.applied_to(fixed), fmt::format("own mesh, {}", result.finer.text()), 0.0);
     for (const int nodes : {42, 162, 642, 2562}) {
         if (nodes > most_nodes) continue;
-        scene::Scene on_level = fixed;
-        on_level.cells.nodes = nodes;
+        const scene::Scene on_level = scene::on_mesh(fixed, nodes);
         std::optional<MeasuredRun> done =
             run(on_level, fmt::format("{} nodes", nodes), nodes / 2562.0);
         MeshLevel level{nodes, done.has_value(), {}};

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -25,6 +26,14 @@ Scene parse_scene(const std::string& text, const std::string& name,
     resolve(draft);
     draft.scene.resolved_toml = canonical_text(draft);
     return std::move(draft.scene);
+}
+
+Scene on_mesh(const Scene& scene, int nodes) {
+    Scene changed = scene;
+    changed.cells.nodes = nodes;
+    for (Stage& stage : changed.stages)
+        stage.nodes = stage.nodes == scene.cells.nodes ? nodes : std::min(stage.nodes, nodes);
+    return changed;
 }
 
 Scene load_scene(const std::string& path, const std::vector<Override>& overrides) {

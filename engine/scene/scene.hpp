@@ -253,6 +253,10 @@ struct Override {
 [[nodiscard]] Scene parse_scene(const std::string& text, const std::string& name,
                                 const std::vector<Override>& overrides = {});
 
+/// The same scene with cells of another mesh: stages on the cells' own mesh go with it, those on a
+/// coarser one stay there, and none is finer than the cells.
+[[nodiscard]] Scene on_mesh(const Scene& scene, int nodes);
+
 /// The documentation of all keys as Markdown (scenes/README.md between its markers), from the key
 /// table.
 [[nodiscard]] std::string keys_markdown();

@@ -263,5 +263,20 @@ TEST(SceneResolution, CentresAreRowsOfPositionAndRadius) {
               "a.toml:3:1: error: cells.centres wants one row [x, y, z, radius] or more, got none");
 }
 
+TEST(OnMesh, MovesStagesOfTheOwnMeshAndKeepsCoarserOnes) {
+    const Scene scene =
+        parse_scene(with(with(k_doublet, "[[stage]]",
+                              "[[stage]]\nkind = \"relax\"\nnodes = 162\nduration = 1\n[[stage]]"),
+                         "[cells]\n", "[cells]\nnodes = 642\n"),
+                    "a.toml");
+    ASSERT_EQ(scene.stages.size(), 2U);
+    const Scene finer = on_mesh(scene, 2562), coarser = on_mesh(scene, 42);
+    EXPECT_EQ(finer.cells.nodes, 2562);
+    EXPECT_EQ(finer.stages[0].nodes, 162);
+    EXPECT_EQ(finer.stages[1].nodes, 2562);
+    EXPECT_EQ(coarser.stages[0].nodes, 42);
+    EXPECT_EQ(coarser.stages[1].nodes, 42);
+}
+
 }  // namespace
 }  // namespace spheroscope::scene
