@@ -1,5 +1,6 @@
 // The verbs that print reports, as a script sees them.
 #include "tests/cli/program_runner.hpp"
+#include "tests/cli/stretched_cell.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -9,31 +10,9 @@
 namespace spheroscope {
 namespace {
 
-/// One cell of 42 nodes for 32 ms.
-const char* const k_small_scene = R"([cells]
-arrangement = "single"
-nodes = 42
-radius = 9
-[start]
-stretch = [1.05, 0.98, 0.97]
-[cortex.elastic]
-E = 20
-[cortex.tension]
-gamma = 0.5
-[cortex.viscosity]
-eta = 1
-[cytosol]
-[medium]
-[method]
-dt = "4 ms"
-[[stage]]
-kind = "relax"
-duration = "0.032 s"
-)";
-
 class ReportVerbs : public ProgramRunner {
   protected:
-    ReportVerbs() { write_file("small.toml", k_small_scene); }
+    ReportVerbs() { write_file("small.toml", k_stretched_cell); }
     [[nodiscard]] std::vector<std::string> lines_of(const std::string& name) const {
         std::ifstream file(path(name));
         std::vector<std::string> lines;
@@ -94,7 +73,7 @@ TEST_F(ReportVerbs, PrecisionEndsWithThreeWhenTheTimeLimitComesFirst) {
 }
 
 TEST_F(ReportVerbs, PrecisionRefusesASceneThatEndsOnACondition) {
-    write_file("rest.toml", with(k_small_scene, "duration = \"0.032 s\"", "until = \"rest\""));
+    write_file("rest.toml", with(k_stretched_cell, "duration = \"0.032 s\"", "until = \"rest\""));
     const Outcome outcome = call({"precision", "rest.toml"});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("rest.toml:"), std::string::npos) << outcome.err;

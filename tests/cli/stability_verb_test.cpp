@@ -1,32 +1,14 @@
 // `stability` and `bench`, as a script sees them.
 #include "tests/cli/program_runner.hpp"
+#include "tests/cli/stretched_cell.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace spheroscope {
 namespace {
 
-/// One stretched cell of 42 nodes for 32 ms, which every method brings to its end.
-const char* const k_scene = R"([cells]
-arrangement = "single"
-nodes = 42
-radius = 9
-[start]
-stretch = [1.05, 0.98, 0.97]
-[cortex.elastic]
-E = 20
-[cortex.tension]
-gamma = 0.5
-[cortex.viscosity]
-eta = 1
-[cytosol]
-[medium]
-[method]
-dt = "4 ms"
-[[stage]]
-kind = "relax"
-duration = "0.032 s"
-[expect]
+/// What every method brings to its end.
+const std::string k_scene = k_stretched_cell + R"([expect]
 volume_error = { max = 0.1 }
 [stability.all]
 outcome = "ends"
@@ -65,7 +47,8 @@ TEST_F(StabilityVerb, GivesOneObjectForEachSceneAndMethodWithWhatScriptsRelyOn) 
 TEST_F(StabilityVerb, EndsWithFourWhenAMeasureIsNotAsExpected) {
     const Outcome outcome = judge(with(k_scene, "{ max = 0.1 }", "{ max = 1e-12 }"));
     EXPECT_EQ(outcome.code, 4);
-    for (const auto& run : nlohmann::json::parse(outcome.out)["runs"])
+    const auto document = nlohmann::json::parse(outcome.out);
+    for (const auto& run : document["runs"])
         if (run["outcome"] == "ended") {
             EXPECT_EQ(run["met"], false);
             EXPECT_NE(run["failures"][0].get<std::string>().find("volume_error"),
@@ -88,7 +71,8 @@ TEST_F(StabilityVerb, AStopThatWasExpectedIsMetAndALaterOneThanAllowedIsNot) {
     scene = with(scene, "[stability.all]",
                  "[stability.forward_euler]\noutcome = \"stops\"\nwithin = 1\n[stability.all]");
     const Outcome outcome = judge(scene);
-    for (const auto& run : nlohmann::json::parse(outcome.out)["runs"])
+    const auto document = nlohmann::json::parse(outcome.out);
+    for (const auto& run : document["runs"])
         if (run["method"] == "forward_euler" && run["variant"] == "soft") {
             EXPECT_EQ(run["outcome"], "stopped") << run;
             EXPECT_EQ(run["met"], true) << run;
@@ -96,8 +80,7 @@ TEST_F(StabilityVerb, AStopThatWasExpectedIsMetAndALaterOneThanAllowedIsNot) {
 }
 
 TEST_F(StabilityVerb, ASceneThatExpectsNothingIsAMistake) {
-    const std::string scene = k_scene;
-    const Outcome outcome = judge(scene.substr(0, scene.find("[stability.all]")));
+    const Outcome outcome = judge(k_scene.substr(0, k_scene.find("[stability.all]")));
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("does not say what it expects"), std::string::npos) << outcome.err;
 }
