@@ -46,6 +46,7 @@ template <class Vector> struct VectorTraits;
 template <> struct VectorTraits<Vec3> {
     using Scalar = double;
     static Vec3 zero() { return Vec3::Zero(); }
+    static const Vec3& from(const Vec3& v) { return v; }
     static Vec3 from(const std::array<float, 3>& v) {
         return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
     }
@@ -53,6 +54,7 @@ template <> struct VectorTraits<Vec3> {
 template <> struct VectorTraits<Lanes> {
     using Scalar = float;
     static Lanes zero() { return {}; }
+    static Lanes from(const Vec3& v) { return Lanes(v); }
     static Lanes from(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 };
 

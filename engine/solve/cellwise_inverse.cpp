@@ -11,9 +11,6 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-Vec3 converted(const Vec3& v, const Vec3*) { return v; }
-Lanes converted(const Vec3& v, const Lanes*) { return Lanes(v); }
-
 }  // namespace
 
 template <class Vector>
@@ -30,10 +27,9 @@ void CellwiseInverse<Vector>::prepare(const VelocitySystem& system, Workers& wor
         if (coefficient == 0.0) return;
         thread_local std::vector<Vector> gradient;
         const std::span<const Vec3> s = system.model.cell_nodes(system.volume_gradient, cell);
-        constexpr Vector* as = nullptr;
         gradient.resize(s.size());
         std::transform(s.begin(), s.end(), gradient.begin(),
-                       [](const Vec3& v) { return converted(v, as); });
+                       [](const Vec3& v) { return VectorTraits<Vector>::from(v); });
         const std::span<Vector> w =
             system.model.cell_nodes(std::span<Vector>(inverse_times_gradient_), cell);
         apply_base(cell, gradient, w);

@@ -20,6 +20,11 @@ class ExplicitBound {
     }
     /// The rate at the evaluation that the system holds, which has its stiffness.
     [[nodiscard]] double estimate_per_s(System& system) { return mode_.rate_per_s(system); }
+    /// For the steps until the next estimate.
+    static void keep(State& state, double rate_per_s) {
+        state.fastest_rate_per_s = rate_per_s;
+        state.rate_time_s = state.time_s;
+    }
     /// A step of the paper's method that is too large: names what makes it so.
     [[nodiscard]] Trouble too_large(System& system, double dt_s, double stable_dt_s,
                                     const Loc& loc);

@@ -103,10 +103,7 @@ StepOutcome ForwardEuler::advance(System& system, State& state, double limit_s,
         for (std::size_t cell = 0; cell < strain_.size(); ++cell)
             state.volume_integral_s[cell] += outcome.dt_s * strain_[cell];
     }
-    if (estimates) {
-        state.fastest_rate_per_s = rate_per_s;
-        state.rate_time_s = state.time_s;
-    }
+    if (estimates) ExplicitBound::keep(state, rate_per_s);
     finish_step(state, v_, end_s);
     outcome.accepted = true;
     return outcome;

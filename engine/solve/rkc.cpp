@@ -185,10 +185,7 @@ StepOutcome Rkc::advance(System& system, State& state, double limit_s,
             continue;
         }
         if (size.is_adaptive()) state.next_dt_s = size.next_s(outcome, wanted_s, 3);
-        if (estimates) {
-            state.fastest_rate_per_s = rate_per_s;
-            state.rate_time_s = state.time_s;
-        }
+        if (estimates) ExplicitBound::keep(state, rate_per_s);
         std::swap(state.volume_integral_s, y_[2].I);
         finish_step_at(state, y_[2].x, f_.x, end_s);
         outcome.accepted = true;

@@ -7,16 +7,12 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-Vec3 converted(const Vec3& v, const Vec3*) { return v; }
-Lanes converted(const Vec3& v, const Lanes*) { return Lanes(v); }
-
 }  // namespace
 
 template <class Vector> void VelocitySystem::product_of_cell(int cell,
                                                              std::span<const Vector> u_all,
                                                              std::span<Vector> out) const {
     using Scalar = typename VectorTraits<Vector>::Scalar;
-    constexpr Vector* as = nullptr;
     const std::span<const Vector> u = model.cell_nodes(u_all, cell);
     const std::span<const double> d = model.cell_nodes(drag, cell);
     for (std::size_t i = 0; i < u.size(); ++i) out[i] = static_cast<Scalar>(d[i]) * u[i];
@@ -25,9 +21,11 @@ template <class Vector> void VelocitySystem::product_of_cell(int cell,
     if (!volume_coefficient.empty()) {
         const std::span<const Vec3> s = model.cell_nodes(volume_gradient, cell);
         Scalar volume_rate{};
-        for (std::size_t i = 0; i < u.size(); ++i) volume_rate += converted(s[i], as).dot(u[i]);
+        for (std::size_t i = 0; i < u.size(); ++i)
+            volume_rate += VectorTraits<Vector>::from(s[i]).dot(u[i]);
         const Scalar strength = static_cast<Scalar>(volume_coefficient[idx(cell)]) * volume_rate;
-        for (std::size_t i = 0; i < u.size(); ++i) out[i] += strength * converted(s[i], as);
+        for (std::size_t i = 0; i < u.size(); ++i)
+            out[i] += strength * VectorTraits<Vector>::from(s[i]);
     }
     if (!pairs.empty()) pairs.add_to_cell(cell, contacts, out);
 }
