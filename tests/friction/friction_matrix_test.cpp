@@ -1,7 +1,6 @@
 #include "engine/base/random.hpp"
 #include "tests/reference/dense_system.hpp"
 #include "tests/reference/made_up_cells.hpp"
-#include "tests/reference/pair_graph.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -117,37 +116,6 @@ TEST_F(FrictionMatrix, DissipatesContactFrictionByTheRelativeVelocityOfTheCells)
                                          (relative.squaredNorm() - across * across));
     }
     EXPECT_NEAR(power, expected, 1e-7 * expected);
-}
-
-TEST(PairGraph, HasWeightsThatAreNotNegativeAndSumToOne) {
-    const Random random(3, 3);
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const auto barycentric = [&](std::uint32_t first) {
-            const double r = random.uniform(seed, first);
-            const double s = (1.0 - r) * random.uniform(seed, first + 1);
-            return std::array<double, 3>{r, s, 1.0 - r - s};
-        };
-        const reference::PairGraph graph{barycentric(0), barycentric(2)};
-        // Column by column: minus the off-diagonal entries are the weights w_ik.
-        double sum = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            std::array<Vec3, 3> u_a, u_b, y_a, y_b;
-            u_a.fill(Vec3::Zero());
-            u_b.fill(Vec3::Zero());
-            u_b[k] = Vec3::UnitX();
-            graph.product(u_a, u_b, y_a, y_b);
-            double column = 0.0;
-            for (std::size_t i = 0; i < 3; ++i) {
-                EXPECT_NEAR(-y_a[i].x(), (graph.lambda[i] + graph.mu[k]) / 6.0, 1e-15);
-                EXPECT_GE(-y_a[i].x(), 0.0);
-                sum -= y_a[i].x();
-                column -= y_a[i].x();
-            }
-            EXPECT_NEAR(y_b[k].x(), column, 1e-15) << "rows sum to zero";
-            EXPECT_NEAR(reference::PairGraph::diagonal(graph.mu[k]), column, 1e-15);
-        }
-        EXPECT_NEAR(sum, 1.0, 1e-14);
-    }
 }
 
 }  // namespace
