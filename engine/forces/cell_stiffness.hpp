@@ -11,14 +11,13 @@
 
 namespace spheroscope {
 
-/// The stiffness of one cell's own terms, as lists of small positive semi-definite elements that
-/// are applied without ever assembling a matrix. A term that is absent leaves its list empty, and
-/// an empty list costs nothing. Node indices are local to the cell.
+/// The stiffness of one cell's own terms, as lists of small positive semi-definite elements. A term
+/// that is absent leaves its list empty, and an empty list costs nothing. Node indices are local to
+/// the cell. What is solved with is their sum (engine/solve/cell_matrix.hpp).
 ///
-/// A product reads every element once and does little with it, so its time is that of reading:
-/// elements are single precision and short. That is harmless, because K is an approximation, and
-/// any K leads to the same end state; every element stays symmetric and positive semi-definite
-/// whatever its numbers are rounded to.
+/// Elements are in single precision. That is harmless, because K is an approximation, and any K
+/// leads to the same end state; every element stays symmetric and positive semi-definite whatever
+/// its numbers are rounded to.
 class CellStiffness {
   public:
     using Index = std::uint16_t;
@@ -60,6 +59,7 @@ class CellStiffness {
         float coefficient;
         std::array<Index, 4> nodes;  ///< i, j, a, b
         Hinge(const std::array<int, 4>& n, const HingeSlope& slope, double factor);
+        [[nodiscard]] HingeSlope slope() const;
     };
     /// coefficient * n n^T on one node.
     struct Node {
@@ -78,13 +78,6 @@ class CellStiffness {
     void clear();
     /// out += factor * K u; both [n_nodes of the cell].
     void add_product(double factor, std::span<const Vec3> u, std::span<Vec3> out) const;
-    void add_product(double factor, std::span<const Lanes> u, std::span<Lanes> out) const;
-    /// Adds factor times the 3x3 diagonal blocks to `blocks` [n_nodes].
-    void add_diagonal(double factor, std::span<Mat3> blocks) const;
-
-  private:
-    template <class Vector>
-    void add_any_product(double factor, std::span<const Vector> u, std::span<Vector> out) const;
 };
 
 }  // namespace spheroscope

@@ -1,6 +1,8 @@
 #include "engine/forces/contact_variational.hpp"
 #include "engine/measures/measure_input.hpp"
 
+#include <array>
+
 namespace spheroscope {
 namespace {
 
@@ -50,30 +52,51 @@ void for_films_of_group(const Configuration& at, const Contacts::Group& group, c
 
 }  // namespace
 
-std::vector<Mat3> cell_stress_tensors(const Configuration& at) {
-    std::vector<Mat3> stress(at.model.radius_um.size(), Mat3::Zero());
-    for (const Contacts::Group& group : at.contacts.groups) {
+namespace {
+
+/// loop(n, f) calls f(0) ... f(n - 1), in any order.
+template <class Loop> std::vector<Mat3> stress_tensors(const Configuration& at, const Loop& loop) {
+    const std::vector<Contacts::Group>& groups = at.contacts.groups;
+    std::vector<std::array<Mat3, 2>> virial(groups.size());  // of cell_a and cell_b
+    loop(static_cast<int>(groups.size()), [&](int g) {
+        const Contacts::Group& group = groups[idx(g)];
+        Mat3 of_a = Mat3::Zero(), of_b = Mat3::Zero(), shared = Mat3::Zero();
         for (const ContactPair& pair : at.contacts.pairs_of(group)) {
             const Vec3& origin = origin_of_pair(at, group, pair);
-            Mat3 pair_virial = Mat3::Zero();
             for_nodes_of_pair(at, group, pair, [&](int cell, const Vec3& x, const Vec3& F) {
-                stress[idx(cell)] += F * (x - at.geometry.centre_um[idx(cell)]).transpose();
-                pair_virial -= F * (x - origin).transpose();
+                (cell == group.cell_a ? of_a : of_b) +=
+                    F * (x - at.geometry.centre_um[idx(cell)]).transpose();
+                shared -= F * (x - origin).transpose();
             });
-            stress[idx(group.cell_a)] += 0.5 * pair_virial;
-            stress[idx(group.cell_b)] += 0.5 * pair_virial;
         }
         for_films_of_group(at, group, [&](int cell, const Mat3& film) {
-            stress[idx(cell)] += film;
-            stress[idx(group.cell_a)] -= 0.5 * film;
-            stress[idx(group.cell_b)] -= 0.5 * film;
+            (cell == group.cell_a ? of_a : of_b) += film;
+            shared -= film;
         });
+        virial[idx(g)] = {of_a + 0.5 * shared, of_b + 0.5 * shared};
+    });
+    std::vector<Mat3> stress(at.model.radius_um.size(), Mat3::Zero());
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        stress[idx(groups[g].cell_a)] += virial[g][0];
+        stress[idx(groups[g].cell_b)] += virial[g][1];
     }
     for (std::size_t cell = 0; cell < stress.size(); ++cell) {
         const Mat3 symmetric = 0.5 * (stress[cell] + stress[cell].transpose());
         stress[cell] = symmetric / at.geometry.volume_um3[cell];
     }
     return stress;
+}
+
+}  // namespace
+
+std::vector<Mat3> cell_stress_tensors(const Configuration& at) {
+    return stress_tensors(at, [](int n, const auto& f) {
+        for (int g = 0; g < n; ++g) f(g);
+    });
+}
+
+std::vector<Mat3> cell_stress_tensors(const Configuration& at, Workers& workers) {
+    return stress_tensors(at, [&](int n, const auto& f) { workers.loop(n, f); });
 }
 
 std::vector<double> hydrostatic_stress_from_inside(const Configuration& at,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/workers.hpp"
 #include "engine/forces/force_term.hpp"
 
 #include <optional>
@@ -32,6 +33,7 @@ struct MeasureInput {
 /// each cell gets half of that. Then sum V sigma = 0 holds at rest to the last digit. For one
 /// common contact point per pair it is the printed formula.
 [[nodiscard]] std::vector<Mat3> cell_stress_tensors(const Configuration& at);
+[[nodiscard]] std::vector<Mat3> cell_stress_tensors(const Configuration& at, Workers& workers);
 
 /// The same hydrostatic stress from the inside of the cells, kPa [cells]: at rest the contact
 /// forces balance all other forces, so sigma_h = [ - sum (F_i - F_contact,i).(x_i - x_a) + 1/2 sum

@@ -23,13 +23,12 @@ StartForces start_forces(const scene::Scene& scene, int threads) {
     const std::vector<Vec3> x_um = start_positions(scene, model, {});
     const std::vector<double> integral_s(model.radius_um.size(), 0.0);
     System system(std::move(model), build_parts(scene), threads, Need::triangles | Need::volumes);
-    const std::optional<Trouble> trouble =
-        system.evaluate(x_um, integral_s, 0.0, System::Detail::forces);
+    const std::optional<Trouble> trouble = system.evaluate(x_um, integral_s, 0.0);
     if (trouble) throw Error(trouble->loc, trouble->text(), "", ExitCode::not_converged);
     StartForces result;
     result.force_nN.assign(system.force_nN().begin(), system.force_nN().end());
     if (scene.contact)
-        for (const Mat3& stress : cell_stress_tensors(system.configuration()))
+        for (const Mat3& stress : cell_stress_tensors(system.configuration(), system.workers()))
             result.sigma_h_kPa.push_back(stress.trace() / 3.0);
     return result;
 }

@@ -265,7 +265,13 @@ Engine::Next Engine::advance(const scene::Stage& parameters) {
 }
 
 void Engine::finish_stage(StageEnd end) {
-    run_.end = end;
+    // A relaxation of fixed duration does not look for rest: what the one before has found stands,
+    // on the same mesh.
+    const scene::Stage& stage = scene_.stages[idx(run_.stage)];
+    const bool says_nothing = end == StageEnd::done && stage.kind == scene::StageKind::relax &&
+                              (run_.end == StageEnd::rest || run_.end == StageEnd::stationary) &&
+                              stage.nodes == scene_.stages[idx(run_.stage - 1)].nodes;
+    if (!says_nothing) run_.end = end;
     if (end == StageEnd::cap) run_.met_cap = true;
     ++run_.stage;
     run_.stage_has_begun = false;
@@ -278,11 +284,13 @@ std::vector<MeasureError> Engine::estimate_errors() {
     const int order = chosen_method(scene_).order;
     const std::optional<Totals> by_time = totals_moved_by(run_.errors.time_error_um(order));
     // Only what was to come to rest is wrong by not being there.
-    const bool wants_rest = scene_.stages.back().until != scene::Until::duration;
-    const std::optional<Totals> by_rest = wants_rest
-                                              ? totals_moved_by(run_.errors.missing_displacement_um(
-                                                    run_.state.time_s - run_.memory.start_s))
-                                              : std::nullopt;
+    const bool wants_rest =
+        std::any_of(scene_.stages.begin(), scene_.stages.end(), [](const scene::Stage& stage) {
+            return stage.until != scene::Until::duration;
+        });
+    const std::optional<Totals> by_rest =
+        wants_rest ? totals_moved_by(run_.errors.missing_displacement_um(run_.state.time_s))
+                   : std::nullopt;
     return measure_errors(result_.totals, by_time ? &*by_time : nullptr,
                           by_rest ? &*by_rest : nullptr);
 }
@@ -291,14 +299,24 @@ std::optional<Totals> Engine::totals_moved_by(std::span<const Vec3> displacement
     if (displacement_um.size() != run_.state.x_um.size()) return {};
     std::vector<Vec3> x_um = run_.state.x_um;
     for (std::size_t i = 0; i < x_um.size(); ++i) x_um[i] += displacement_um[i];
-    if (system_->evaluate(x_um, run_.state.volume_integral_s, 0.0, System::Detail::forces))
-        return {};
-    Totals totals = compute_totals(measure_input(system_->configuration()));
+    if (system_->evaluate(x_um, run_.state.volume_integral_s, 0.0)) return {};
+    const Configuration at = system_->configuration();
+    compute_cell_measures(at);
+    Totals totals = compute_totals(measure_input(at));
     totals.energy_fJ = system_->energy_fJ();
     return totals;
 }
 
-MeasureInput Engine::measure_input(const Configuration& at) {
+void Engine::compute_cell_measures(const Configuration& at) {
+    pressure_kPa_.clear();
+    if (const CytosolPressure* cytosol = system_->parts().cytosol)
+        for (int cell = 0; cell < at.model.n_cells(); ++cell)
+            pressure_kPa_.push_back(cytosol->pressure_kPa(at, cell));
+    cell_stress_kPa_.clear();
+    if (system_->parts().contact) cell_stress_kPa_ = cell_stress_tensors(at, system_->workers());
+}
+
+MeasureInput Engine::measure_input(const Configuration& at) const {
     MeasureInput input{.at = at,
                        .v_um_per_s = run_.state.v_um_per_s,
                        .spring_nN_per_um = spring_nN_per_um_,
@@ -306,13 +324,7 @@ MeasureInput Engine::measure_input(const Configuration& at) {
                        .cell_stress_kPa = {}};
     input.touching_area_um2 = scene_.measures.touching_area_um2;
     if (scene_.cortex.tension) input.gamma_nN_per_um = scene_.cortex.tension->gamma_nN_per_um;
-    pressure_kPa_.clear();
-    if (const CytosolPressure* cytosol = system_->parts().cytosol)
-        for (int cell = 0; cell < at.model.n_cells(); ++cell)
-            pressure_kPa_.push_back(cytosol->pressure_kPa(at, cell));
     input.pressure_kPa = pressure_kPa_;
-    cell_stress_kPa_.clear();
-    if (system_->parts().contact) cell_stress_kPa_ = cell_stress_tensors(at);
     input.cell_stress_kPa = cell_stress_kPa_;
     if (scene_.contact && scene_.contact->adhesive) {
         input.omega_nN_per_um = scene_.contact->omega_nN_per_um;
@@ -324,11 +336,10 @@ MeasureInput Engine::measure_input(const Configuration& at) {
 Totals Engine::measure() {
     const double wall_um = run_.state.wall.acts() ? run_.state.wall.radius_um : 0.0;
     // What is not finite here is found again, and reported, by the next step.
-    static_cast<void>(system_->evaluate(run_.state.x_um, run_.state.volume_integral_s, wall_um,
-                                        System::Detail::forces));
+    static_cast<void>(system_->evaluate(run_.state.x_um, run_.state.volume_integral_s, wall_um));
     const Configuration at = system_->configuration();
-    const MeasureInput input = measure_input(at);
-    Totals totals = compute_totals(input);
+    compute_cell_measures(at);
+    Totals totals = compute_totals(measure_input(at));
     if (!cell_stress_kPa_.empty()) {
         const std::vector<double> inside = hydrostatic_stress_from_inside(at, system_->force_nN());
         double difference2 = 0.0, size2 = 0.0;

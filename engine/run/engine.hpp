@@ -99,7 +99,10 @@ class Engine {
     /// Measures of the end state moved by this displacement [all nodes]; empty if there is none.
     [[nodiscard]] std::optional<Totals> totals_moved_by(std::span<const Vec3> displacement_um);
     void write_checkpoint();
-    [[nodiscard]] MeasureInput measure_input(const Configuration& at);
+    /// Pressures and stresses of the cells, which several measures read.
+    void compute_cell_measures(const Configuration& at);
+    /// What measures and frames read; the cells' as they were last computed.
+    [[nodiscard]] MeasureInput measure_input(const Configuration& at) const;
 
     scene::Scene scene_;
     EngineOptions options_;

@@ -404,9 +404,9 @@ const auto& keys() {
             "Model time between outputs; 0: only at the end of the stage."},
         Key{"stage", "nodes", reach<&S::stages, &Stage::nodes>(), number, mesh_size, {}, {},
             "162 in stages before the last", k_ours,
-            "Mesh that this stage is computed on, if it is to be a coarser one than cells.nodes; "
-            "where the next stage has a finer one the cells are carried over to it. Frames show "
-            "all stages on the mesh of cells.nodes."},
+            "Finest mesh that this stage is computed on, where cells.nodes is a finer one; where "
+            "the next stage has a finer one the cells are carried over to it. Frames show all "
+            "stages on the mesh of cells.nodes."},
         Key{"stage", "steps", reach<&S::stages, &Stage::steps>(), number, at_least_one, {},
             in_anneal, "20000", k_ours, "Steps of the beads."},
         Key{"stage", "packing_fraction", reach<&S::stages, &Stage::packing_fraction>(), number,

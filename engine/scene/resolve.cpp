@@ -255,17 +255,13 @@ void check_surroundings(const Draft& draft) {
             fmt::format("load.body_force.opposed wants two cells, got {}", scene.cells.count));
 }
 
-/// A stage is computed on the mesh of the cells unless it names a coarser one.
+/// A stage is computed on the mesh of the cells unless it names a coarser one: the scene then also
+/// works with coarser cells.
 void resolve_stage_meshes(Draft& draft) {
     Scene& scene = draft.scene;
     for (std::size_t k = 0; k < scene.stages.size(); ++k) {
         Stage& stage = scene.stages[k];
-        if (stage.nodes == 0) stage.nodes = scene.cells.nodes;
-        if (stage.nodes > scene.cells.nodes)
-            throw Error(stage.loc,
-                        fmt::format("stage.nodes = {} is finer than cells.nodes = {}", stage.nodes,
-                                    scene.cells.nodes),
-                        "cells.nodes is the finest mesh, the one that frames show");
+        if (stage.nodes == 0 || stage.nodes > scene.cells.nodes) stage.nodes = scene.cells.nodes;
         if (k > 0 && stage.nodes < scene.stages[k - 1].nodes)
             throw Error(stage.loc,
                         fmt::format("stage.nodes = {} is coarser than the {} of the stage before",

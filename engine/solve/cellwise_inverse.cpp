@@ -58,17 +58,12 @@ void BlockJacobi::allocate(const VelocitySystem& system) {
 }
 
 void BlockJacobi::prepare_cell(const VelocitySystem& system, int cell) {
-    const MeshTopology& mesh = *system.model.topology;
     const std::span<const double> drag = system.model.cell_nodes(system.drag, cell);
     thread_local std::vector<Mat3> blocks;
     blocks.resize(drag.size());
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-        const int degree = mesh.neighbour_begin[i + 1] - mesh.neighbour_begin[i];
-        blocks[i] = (drag[i] + system.edge_friction * degree) * Mat3::Identity();
-    }
-    if (!system.stiffness.empty()) system.stiffness[idx(cell)].add_diagonal(system.dt_s, blocks);
-    if (!system.pairs.empty())
-        system.pairs.add_diagonal(cell, system.contacts, system.dt_s, blocks);
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = drag[i] * Mat3::Identity();
+    system.cells[idx(cell)].add_diagonal(blocks);
+    if (!system.pairs.empty()) system.pairs.add_diagonal(cell, system.contacts, blocks);
     const std::span<std::array<Lanes, 3>> out =
         system.model.cell_nodes(std::span<std::array<Lanes, 3>>(inverse_), cell);
     for (std::size_t i = 0; i < blocks.size(); ++i) {

@@ -37,6 +37,7 @@ template <class Vector> class CellwiseInverse {
 using Preconditioner = CellwiseInverse<Lanes>;
 
 /// 3x3 blocks of the diagonal: for (Gamma + dt K), where every direction has its own stiffness.
+/// Precondition of `prepare`: the system has its cell matrices.
 class BlockJacobi final : public CellwiseInverse<Lanes> {
   protected:
     void allocate(const VelocitySystem& system) override;

@@ -4,80 +4,172 @@
 
 namespace spheroscope {
 namespace {
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-}  // namespace
 
-void ContactOperator::clear() { n_groups_ = 0; }
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+/// A product takes the time of reading its pairs; they are asked for this long before their turn.
+/// (An address behind the end of the array is no error in a prefetch.)
+constexpr std::size_t k_pairs_ahead = 32;
+
+/// Sums of one pair of nodes over the pairs of triangles that connect it, in two registers: of a
+/// weight w and of weighted squares n n^T.
+struct Sums {
+    Lanes::Register a{};  // xx, yy, zz, xy
+    Lanes::Register b{};  // xz, yz, w, nothing
+    [[nodiscard]] float weight() const { return b[2]; }
+    [[nodiscard]] std::array<float, 6> square() const {
+        return {a[0], a[1], a[2], a[3], b[0], b[1]};
+    }
+};
+
+/// n n^T laid out like this.
+Sums square_of(const Vec3& n) {
+    const auto x = static_cast<float>(n.x()), y = static_cast<float>(n.y()),
+               z = static_cast<float>(n.z());
+    Sums nn;
+    nn.a = Lanes::Register{x * x, y * y, z * z, x * y};
+    nn.b = Lanes::Register{x * z, y * z, 0.0F, 0.0F};
+    return nn;
+}
+
+/// Memory of a member that builds one group after another.
+struct Scratch {
+    std::vector<int> local_a, local_b;                  // node of the cell -> local array, or -1
+    std::vector<std::array<std::uint16_t, 6>> corners;  // [pairs of triangles], B's from 0
+    std::vector<int> entry;                             // [nodes_a x nodes_b]: pair of nodes
+    std::vector<Sums> friction, stiffness;              // [pairs of nodes]
+};
+
+std::uint16_t local_index(int node, std::vector<int>& map, std::vector<int>& nodes) {
+    int& position = map[idx(node)];
+    if (position < 0) {
+        position = static_cast<int>(nodes.size());
+        nodes.push_back(node);
+    }
+    return static_cast<std::uint16_t>(position);
+}
+
+}  // namespace
 
 void ContactOperator::build(const Model& model, const Contacts& contacts,
                             const std::optional<ContactFriction>& friction,
-                            double stiffness_kPa_per_um, Workers& workers) {
+                            double stiffness_kPa_s_per_um, Workers& workers) {
     friction_ = friction;
-    stiffness_kPa_per_um_ = stiffness_kPa_per_um;
+    stiffness_kPa_s_per_um_ = stiffness_kPa_s_per_um;
     n_groups_ = contacts.groups.size();
     if (groups_.size() < n_groups_) groups_.resize(n_groups_);
-    workers.loop(n_groups(), [&](int g) {
-        build_group(model, contacts, contacts.groups[idx(g)], groups_[idx(g)]);
+    arenas_.resize(idx(workers.size()));
+    workers.region([&](Workers::Member& member) {
+        std::vector<NodePair>& arena = arenas_[idx(member.index())];
+        arena.clear();
+        const Workers::Member::Range share = member.share(n_groups());
+        for (int g = share.begin; g < share.end; ++g) {
+            Group& group = groups_[idx(g)];
+            group.arena = idx(member.index());
+            group.first = arena.size();
+            build_group(model, contacts.groups[idx(g)], group, arena);
+        }
     });
 }
 
-void ContactOperator::build_group(const Model& model, const Contacts& contacts,
-                                  const Contacts::Group& source, Group& group) const {
+void ContactOperator::build_group(const Model& model, const Contacts::Group& source, Group& group,
+                                  std::vector<NodePair>& arena) const {
+    thread_local Scratch scratch;
+    const MeshTopology& mesh = *model.topology;
+    const std::span<const ContactPair> pairs = Contacts::pairs_of(source);
+
+    // Which nodes take part.
     group.cell_a = source.cell_a;
     group.cell_b = source.cell_b;
     group.nodes_a.clear();
     group.nodes_b.clear();
-    group.elements.clear();
-    const MeshTopology& mesh = *model.topology;
-    thread_local std::vector<int> local_a, local_b;
-    local_a.assign(idx(mesh.n_nodes()), -1);
-    local_b.assign(idx(mesh.n_nodes()), -1);
-    const auto local = [](int node, std::vector<int>& map, std::vector<int>& nodes) {
-        int& position = map[idx(node)];
-        if (position < 0) {
-            position = static_cast<int>(nodes.size());
-            nodes.push_back(node);
-        }
-        return static_cast<std::uint16_t>(position);
-    };
-    for (const ContactPair& pair : contacts.pairs_of(source)) {
-        Element e;
-        const auto& nodes_a = mesh.triangles[idx(pair.triangle_a)];
-        const auto& nodes_b = mesh.triangles[idx(pair.triangle_b)];
+    scratch.local_a.assign(idx(mesh.n_nodes()), -1);
+    scratch.local_b.assign(idx(mesh.n_nodes()), -1);
+    scratch.corners.resize(pairs.size());
+    for (std::size_t p = 0; p < pairs.size(); ++p)
         for (std::size_t i = 0; i < 3; ++i) {
-            e.a[i] = local(nodes_a[i], local_a, group.nodes_a);
-            e.b[i] = local(nodes_b[i], local_b, group.nodes_b);
+            scratch.corners[p][i] = local_index(mesh.triangles[idx(pairs[p].triangle_a)][i],
+                                                scratch.local_a, group.nodes_a);
+            scratch.corners[p][3 + i] = local_index(mesh.triangles[idx(pairs[p].triangle_b)][i],
+                                                    scratch.local_b, group.nodes_b);
         }
-        for (std::size_t i = 0; i < 2; ++i) {
-            e.lambda[i] = static_cast<float>(pair.lambda[i]);
-            e.mu[i] = static_cast<float>(pair.mu[i]);
-        }
+    const std::size_t n_a = group.nodes_a.size(), n_b = group.nodes_b.size();
+
+    // Which of them are connected: a table of marks, then row by row the numbers of the pairs.
+    scratch.entry.assign(n_a * n_b, -1);
+    for (const auto& c : scratch.corners)
         for (std::size_t i = 0; i < 3; ++i)
-            e.normal[i] = static_cast<float>(pair.normal[static_cast<Eigen::Index>(i)]);
-        const double area_um2 = pair.area_um2;
-        e.tangential = 0.0F;
-        e.normal_extra = 0.0F;
-        if (friction_) {
-            const double tangential = friction_->tangential_kPa_s_per_um;
-            const double normal = friction_->normal_kPa_s_per_um;
-            e.tangential = static_cast<float>(area_um2 * tangential / 6.0);
-            e.normal_extra = static_cast<float>(area_um2 * (normal - tangential) / 6.0);
+            for (std::size_t k = 3; k < 6; ++k) scratch.entry[c[i] * n_b + c[k]] = 0;
+    group.row_begin.resize(n_a + 1);
+    for (std::size_t a = 0; a < n_a; ++a) {
+        group.row_begin[a] = static_cast<int>(arena.size() - group.first);
+        for (std::size_t b = 0; b < n_b; ++b) {
+            int& entry = scratch.entry[a * n_b + b];
+            if (entry < 0) continue;
+            entry = static_cast<int>(arena.size() - group.first);
+            arena.push_back({{}, 0.0F, static_cast<std::uint16_t>(n_a + b)});
         }
-        e.stiffness = static_cast<float>(area_um2 * stiffness_kPa_per_um_);
-        group.elements.push_back(e);
     }
-    const std::size_t n_a = group.nodes_a.size();
-    for (Element& e : group.elements)
-        for (std::uint16_t& k : e.b) k = static_cast<std::uint16_t>(k + n_a);
-    const std::size_t n = n_a + group.nodes_b.size();
+    const std::size_t n_entries = arena.size() - group.first;
+    group.row_begin[n_a] = static_cast<int>(n_entries);
+
+    const double tangential = friction_ ? friction_->tangential_kPa_s_per_um : 0.0;
+    const double rest = friction_ ? friction_->normal_kPa_s_per_um - tangential : 0.0;
+    const bool is_stiff = stiffness_kPa_s_per_um_ > 0.0;
+    scratch.friction.assign(n_entries, Sums{});
+    scratch.stiffness.assign(is_stiff ? n_entries : 0, Sums{});
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+        const ContactPair& pair = pairs[p];
+        const Sums nn = square_of(pair.normal);
+        const auto area = static_cast<float>(pair.area_um2);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int* const row = scratch.entry.data() + scratch.corners[p][i] * n_b;
+            const auto lambda = static_cast<float>(pair.lambda[i]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto mu = static_cast<float>(pair.mu[k]);
+                const std::size_t entry = idx(row[scratch.corners[p][3 + k]]);
+                Sums& friction = scratch.friction[entry];
+                const float weight = area * (lambda + mu) / 6.0F;
+                friction.b += Lanes::Register{0.0F, 0.0F, weight, 0.0F};
+                if (rest != 0.0) {
+                    friction.a += weight * nn.a;
+                    friction.b += weight * nn.b;
+                }
+                if (is_stiff) {
+                    Sums& stiffness = scratch.stiffness[entry];
+                    const float product = area * lambda * mu;
+                    stiffness.a += product * nn.a;
+                    stiffness.b += product * nn.b;
+                }
+            }
+        }
+    }
+
+    group.normal.resize(rest != 0.0 ? n_entries : 0);
+    for (std::size_t e = 0; e < n_entries; ++e) {
+        arena[group.first + e].friction =
+            static_cast<float>(tangential) * scratch.friction[e].weight();
+        if (rest != 0.0) {
+            group.normal[e].entry = scratch.friction[e].square();
+            for (float& entry : group.normal[e].entry) entry *= static_cast<float>(rest);
+        }
+        if (!is_stiff) continue;
+        std::array<float, 6>& combined = arena[group.first + e].combined.entry;
+        combined = scratch.stiffness[e].square();
+        for (std::size_t m = 0; m < 6; ++m) {
+            combined[m] *= static_cast<float>(stiffness_kPa_s_per_um_);
+            if (rest != 0.0) combined[m] += group.normal[e].entry[m];
+            if (m < 3) combined[m] += arena[group.first + e].friction;
+        }
+    }
+    const std::size_t n = n_a + n_b;
     group.in_double.u.resize(n);
     group.in_double.y.resize(n);
     group.in_single.u.resize(n);
     group.in_single.y.resize(n);
 }
 
-template <class Vector> void ContactOperator::product_of_group(int g, const Model& model,
-                                                               double dt_s,
+template <class Vector> void ContactOperator::product_of_group(int g, const Model& model, Part part,
                                                                std::span<const Vector> u_all) {
     using Scalar = typename VectorTraits<Vector>::Scalar;
     Group& group = groups_[idx(g)];
@@ -89,54 +181,34 @@ template <class Vector> void ContactOperator::product_of_group(int g, const Mode
     for (std::size_t i = 0; i < group.nodes_b.size(); ++i)
         local.u[n_a + i] = u_b[idx(group.nodes_b[i])];
     std::fill(local.y.begin(), local.y.end(), VectorTraits<Vector>::zero());
-    const bool has_normal_extra =
-        friction_ && friction_->normal_kPa_s_per_um != friction_->tangential_kPa_s_per_um;
-    const auto dt = static_cast<Scalar>(dt_s);
     const Vector* const u = local.u.data();
     Vector* const y = local.y.data();
-    for (const Element& e : group.elements) {
-        const Scalar l0 = e.lambda[0], l1 = e.lambda[1], l2 = Scalar{1} - l0 - l1;
-        const Scalar m0 = e.mu[0], m1 = e.mu[1], m2 = Scalar{1} - m0 - m1;
-        const Vector a0 = u[e.a[0]], a1 = u[e.a[1]], a2 = u[e.a[2]];
-        const Vector b0 = u[e.b[0]], b1 = u[e.b[1]], b2 = u[e.b[2]];
-        const Vector n = VectorTraits<Vector>::from(e.normal);
-        const Vector mean_a = l0 * a0 + l1 * a1 + l2 * a2;
-        const Vector mean_b = m0 * b0 + m1 * b1 + m2 * b2;
-        // Stiffness: k S n n^T on the relative displacement at the polygon's centroid.
-        const Vector spring = (dt * Scalar{e.stiffness} * n.dot(mean_a - mean_b)) * n;
-        // Friction (engine/friction/contact_friction.hpp), with the spring, which is shared among
-        // the nodes by the same barycentric coordinates:
-        //   y_i = f [(3 l_i + 1) u_i - mean_b] + l_i [spring - f sum_b],  f = S g_t / 6.
-        const Scalar f = e.tangential;
-        const Vector shared_a = spring - f * (b0 + b1 + b2);
-        const Vector shared_b = VectorTraits<Vector>::zero() - spring - f * (a0 + a1 + a2);
-        const Vector back_a = f * mean_b, back_b = f * mean_a;
-        const auto node = [f](Scalar w, const Vector& own, const Vector& shared,
-                              const Vector& back) -> Vector {
-            return (f * (Scalar{3} * w + Scalar{1})) * own + w * shared - back;
-        };
-        y[e.a[0]] += node(l0, a0, shared_a, back_a);
-        y[e.a[1]] += node(l1, a1, shared_a, back_a);
-        y[e.a[2]] += node(l2, a2, shared_a, back_a);
-        y[e.b[0]] += node(m0, b0, shared_b, back_b);
-        y[e.b[1]] += node(m1, b1, shared_b, back_b);
-        y[e.b[2]] += node(m2, b2, shared_b, back_b);
-        if (!has_normal_extra) continue;
-        // The same graph once more, along n alone.
-        const Scalar extra = e.normal_extra;
-        const auto along = [&](Scalar w, const Vector& own, const Vector& sum,
-                               const Vector& mean) -> Vector {
-            const Vector graph = (Scalar{3} * w + Scalar{1}) * own - w * sum - mean;
-            return (extra * n.dot(graph)) * n;
-        };
-        const Vector sum_a = a0 + a1 + a2, sum_b = b0 + b1 + b2;
-        y[e.a[0]] += along(l0, a0, sum_b, mean_b);
-        y[e.a[1]] += along(l1, a1, sum_b, mean_b);
-        y[e.a[2]] += along(l2, a2, sum_b, mean_b);
-        y[e.b[0]] += along(m0, b0, sum_a, mean_a);
-        y[e.b[1]] += along(m1, b1, sum_a, mean_a);
-        y[e.b[2]] += along(m2, b2, sum_a, mean_a);
+    const NodePair* const pairs = pairs_of(group);
+    const auto for_each_pair = [&](const auto& force_of) {
+        for (std::size_t a = 0; a < n_a; ++a) {
+            const Vector at_a = u[a];
+            Vector sum = VectorTraits<Vector>::zero();
+            const auto end = static_cast<std::size_t>(group.row_begin[a + 1]);
+            for (auto e = static_cast<std::size_t>(group.row_begin[a]); e < end; ++e) {
+                const std::uint16_t b = pairs[e].b;
+                __builtin_prefetch(pairs + e + k_pairs_ahead);
+                const Vector force = force_of(e, Vector(at_a - u[b]));
+                sum += force;
+                y[b] -= force;
+            }
+            y[a] += sum;
+        }
+    };
+    if (part == Part::friction_and_stiffness && stiffness_kPa_s_per_um_ > 0.0) {
+        for_each_pair(
+            [&](std::size_t e, const Vector& d) { return product(pairs[e].combined, d); });
+        return;
     }
+    for_each_pair([&](std::size_t e, const Vector& d) -> Vector {
+        return static_cast<Scalar>(pairs[e].friction) * d;
+    });
+    if (!group.normal.empty())
+        for_each_pair([&](std::size_t e, const Vector& d) { return product(group.normal[e], d); });
 }
 
 template <class Vector>
@@ -150,32 +222,40 @@ void ContactOperator::add_to_cell(int cell, const Contacts& contacts, std::span<
     }
 }
 
-template void ContactOperator::product_of_group(int, const Model&, double, std::span<const Vec3>);
-template void ContactOperator::product_of_group(int, const Model&, double, std::span<const Lanes>);
+template void ContactOperator::product_of_group(int, const Model&, Part, std::span<const Vec3>);
+template void ContactOperator::product_of_group(int, const Model&, Part, std::span<const Lanes>);
 template void ContactOperator::add_to_cell(int, const Contacts&, std::span<Vec3>) const;
 template void ContactOperator::add_to_cell(int, const Contacts&, std::span<Lanes>) const;
 
-void ContactOperator::add_diagonal(int cell, const Contacts& contacts, double dt_s,
+void ContactOperator::add_diagonal(int cell, const Contacts& contacts,
                                    std::span<Mat3> blocks) const {
     for (const Contacts::Side& side : contacts.sides_of(cell)) {
         const Group& group = groups_[idx(side.group)];
-        const std::vector<int>& nodes = side.is_a ? group.nodes_a : group.nodes_b;
-        const std::size_t first = side.is_a ? 0 : group.nodes_a.size();
-        for (const Element& e : group.elements) {
-            const auto& local = side.is_a ? e.a : e.b;
-            const auto& stored = side.is_a ? e.lambda : e.mu;
-            const double w0 = double{stored[0]}, w1 = double{stored[1]};
-            const Vec3 n = VectorTraits<Vec3>::from(e.normal);
-            const Mat3 along = n * n.transpose();
-            const std::array weight{w0, w1, 1.0 - w0 - w1};
-            for (std::size_t i = 0; i < 3; ++i) {
-                const double graph = 3.0 * weight[i] + 1.0;
-                const double along_n = double{e.normal_extra} * graph +
-                                       dt_s * double{e.stiffness} * weight[i] * weight[i];
-                blocks[idx(nodes[local[i] - first])] +=
-                    (double{e.tangential} * graph) * Mat3::Identity() + along_n * along;
+        const std::size_t n_a = group.nodes_a.size();
+        for (std::size_t a = 0; a < n_a; ++a)
+            for (int e = group.row_begin[a]; e < group.row_begin[a + 1]; ++e) {
+                const NodePair& pair = pairs_of(group)[idx(e)];
+                Mat3& block =
+                    blocks[idx(side.is_a ? group.nodes_a[a] : group.nodes_b[pair.b - n_a])];
+                if (stiffness_kPa_s_per_um_ > 0.0) {
+                    block += pair.combined.mat3();
+                    continue;
+                }
+                block.diagonal().array() += static_cast<double>(pair.friction);
+                if (!group.normal.empty()) block += group.normal[idx(e)].mat3();
             }
-        }
+    }
+}
+
+void ContactOperator::add_own_stiffness(int cell, const Model& model, const Contacts& contacts,
+                                        double stiffness_kPa_s_per_um, CellMatrix& matrix) {
+    for (const Contacts::Side& side : contacts.sides_of(cell)) {
+        const Contacts::Group& group = contacts.groups[idx(side.group)];
+        for (const ContactPair& pair : Contacts::pairs_of(group))
+            matrix.add_between(
+                model.topology->triangles[idx(side.is_a ? pair.triangle_a : pair.triangle_b)],
+                side.is_a ? pair.lambda : pair.mu, pair.normal,
+                stiffness_kPa_s_per_um * pair.area_um2);
     }
 }
 

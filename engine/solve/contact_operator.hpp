@@ -1,10 +1,11 @@
 #pragma once
 
-#include "engine/base/lanes.hpp"
+#include "engine/base/block3.hpp"
 #include "engine/base/workers.hpp"
 #include "engine/contact/contacts.hpp"
 #include "engine/friction/contact_friction.hpp"
 #include "engine/model/model.hpp"
+#include "engine/solve/cell_matrix.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -13,52 +14,61 @@
 
 namespace spheroscope {
 
-/// Friction and stiffness of all contacts, applied without a matrix.
+/// Friction and stiffness of all contacts between nodes of different cells: for every pair of
+/// nodes that some pair of triangles connects, one number (friction) or one block (with dt times
+/// the stiffness), summed over the pairs of triangles. There are about as many pairs of nodes as of
+/// triangles, and each is a fraction of the work.
 ///
 /// A product has two phases with a barrier between them. First every group (pair of cells) gathers
 /// the values of the nodes that it touches into a small local array, works through its pairs there,
 /// and leaves the result in another one; then every cell adds what its groups have left, in the
 /// order of the groups. Each pair is read once, nobody writes where another one does, and the sums
-/// have one order. Products exist in double precision (Vec3) and in single (Lanes); the numbers of
-/// a pair are stored once, rounded to single precision (relative error 6e-8), such that the graph
-/// of its friction stays blind to a common translation.
+/// have one order. Products exist in double precision (Vec3) and in single (Lanes); the sums are
+/// stored rounded to single precision (relative error 6e-8) and act on differences of nodes, so
+/// the matrix is symmetric and its friction blind to a common translation whatever the rounding.
 class ContactOperator {
   public:
-    /// friction: empty if the scene has none. stiffness_kPa_per_um: k of the law; 0: no stiffness.
+    /// friction: empty if the scene has none. stiffness_nN_s_per_um3: dt times k of the law, in
+    /// kPa s/um; 0: no stiffness.
     void build(const Model& model, const Contacts& contacts,
-               const std::optional<ContactFriction>& friction, double stiffness_kPa_per_um,
+               const std::optional<ContactFriction>& friction, double stiffness_kPa_s_per_um,
                Workers& workers);
-    void clear();
+    void clear() { n_groups_ = 0; }
 
     [[nodiscard]] int n_groups() const { return static_cast<int>(n_groups_); }
+    [[nodiscard]] bool empty() const { return n_groups_ == 0; }
 
-    /// Phase 1, for one group. The product is (friction + dt_s * stiffness) u.
+    enum class Part { friction, friction_and_stiffness };
+    /// Phase 1, for one group.
     template <class Vector>
-    void product_of_group(int group, const Model& model, double dt_s, std::span<const Vector> u);
+    void product_of_group(int group, const Model& model, Part part, std::span<const Vector> u);
     /// Phase 2, for one cell: out [n_nodes of the cell] += what its groups have left.
     template <class Vector>
     void add_to_cell(int cell, const Contacts& contacts, std::span<Vector> out) const;
-    /// Adds the 3x3 diagonal blocks of one cell.
-    void add_diagonal(int cell, const Contacts& contacts, double dt_s,
-                      std::span<Mat3> blocks) const;
-    [[nodiscard]] bool empty() const { return n_groups_ == 0; }
+    /// Adds what friction and stiffness have between nodes of different cells to the 3x3 diagonal
+    /// blocks of one cell.
+    void add_diagonal(int cell, const Contacts& contacts, std::span<Mat3> blocks) const;
+    /// The stiffness couples the nodes of a triangle among themselves, too: they share one spring.
+    /// Without this part the springs resist more than they should, and slow creep is slower still.
+    static void add_own_stiffness(int cell, const Model& model, const Contacts& contacts,
+                                  double stiffness_kPa_s_per_um, CellMatrix& matrix);
 
   private:
-    struct Element {
-        std::array<std::uint16_t, 3> a, b;  // into the group's local arrays; b after A's nodes
-        std::array<float, 2> lambda, mu;    // the third is what is missing to 1
-        std::array<float, 3> normal;
-        float tangential;    // S g_t / 6, nN s/um
-        float normal_extra;  // S (g_n - g_t) / 6
-        float stiffness;     // S k, nN/um
-    };
     template <class Vector> struct Local {
         std::vector<Vector> u, y;  // A's nodes, then B's
     };
+    /// Node of A (the row it is in) with a node of B: one cache line holds two of them.
+    struct NodePair {
+        SymmetricBlock3 combined;  // friction and stiffness, if there is stiffness
+        float friction;            // isotropic part, nN s/um
+        std::uint16_t b;           // local array, after A's nodes
+    };
     struct Group {
         int cell_a = 0, cell_b = 0;
-        std::vector<int> nodes_a, nodes_b;  // local array -> node of the cell
-        std::vector<Element> elements;
+        std::vector<int> nodes_a, nodes_b;    // local array -> node of the cell
+        std::vector<int> row_begin;           // [nodes_a + 1] into the arrays below
+        std::size_t arena = 0, first = 0;     // its pairs are arenas_[arena][first ...]
+        std::vector<SymmetricBlock3> normal;  // [pairs] rest of the friction, if it has a direction
         Local<Vec3> in_double;
         Local<Lanes> in_single;
         template <class Vector> auto& local() {
@@ -71,13 +81,20 @@ class ContactOperator {
             return const_cast<Group*>(this)->local<Vector>();
         }
     };
-    void build_group(const Model& model, const Contacts& contacts, const Contacts::Group& source,
-                     Group& group) const;
+    /// Appends its pairs to `arena`.
+    void build_group(const Model& model, const Contacts::Group& source, Group& group,
+                     std::vector<NodePair>& arena) const;
+    [[nodiscard]] const NodePair* pairs_of(const Group& group) const {
+        return arenas_[group.arena].data() + group.first;
+    }
 
     std::optional<ContactFriction> friction_;
-    double stiffness_kPa_per_um_ = 0.0;
+    double stiffness_kPa_s_per_um_ = 0.0;  // 0: the pairs have no `combined`
     std::vector<Group> groups_;
     std::size_t n_groups_ = 0;  // in use; the others keep their memory
+    // [members] The pairs of the groups that a member builds, and later multiplies, one after the
+    // other: a product takes the time of reading them, and one long array is read fastest.
+    std::vector<std::vector<NodePair>> arenas_;
 };
 
 }  // namespace spheroscope

@@ -19,7 +19,7 @@ namespace spheroscope {
 class FastestMode {
   public:
     /// The rate, 1/s; from below, to some percent.
-    /// Precondition: the system was evaluated with Detail::forces_and_stiffness.
+    /// Precondition: the system was evaluated.
     [[nodiscard]] double rate_per_s(System& system);
 
     /// Where the mode of the last rate_per_s() has most of its energy: the term, the cell, and the

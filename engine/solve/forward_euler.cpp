@@ -64,9 +64,7 @@ StepOutcome ForwardEuler::advance(System& system, State& state, double limit_s,
     const bool estimates =
         parameters_.stable_step != StableStep::ignore && ExplicitBound::is_due(state);
     const double wall_um = state.wall.acts() ? state.wall.radius_at(state.time_s) : 0.0;
-    outcome.trouble =
-        system.evaluate(state.x_um, state.volume_integral_s, wall_um,
-                        estimates ? System::Detail::forces_and_stiffness : System::Detail::forces);
+    outcome.trouble = system.evaluate(state.x_um, state.volume_integral_s, wall_um);
     if (outcome.trouble) return outcome;
     describe_forces(system, outcome);
 

@@ -32,8 +32,7 @@ StepOutcome LinearlyImplicit::advance(System& system, State& state, double limit
         if (must_evaluate) {
             // A moving wall is taken at the end of the step, like everything stiff.
             const double wall_um = state.wall.acts() ? state.wall.radius_at(end_s) : 0.0;
-            outcome.trouble = system.evaluate(state.x_um, state.volume_integral_s, wall_um,
-                                              System::Detail::forces_and_stiffness);
+            outcome.trouble = system.evaluate(state.x_um, state.volume_integral_s, wall_um);
             if (outcome.trouble) return outcome;
             describe_forces(system, outcome);
             must_evaluate = state.wall.acts();  // another dt means another wall

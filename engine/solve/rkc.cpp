@@ -137,7 +137,7 @@ bool Rkc::compute_stages(System& system, const State& state, int n_stages, StepO
         combine(state.volume_integral_s, y_[0].I, y_[1].I, f0_.I, f_.I, y_[2].I);
         const double time_s = state.time_s + k.c * dt_s;
         const double wall_um = state.wall.acts() ? state.wall.radius_at(time_s) : 0.0;
-        outcome.trouble = system.evaluate(y_[2].x, y_[2].I, wall_um, System::Detail::forces);
+        outcome.trouble = system.evaluate(y_[2].x, y_[2].I, wall_um);
         if (outcome.trouble || !compute_rates(system, f_, outcome)) return false;
     }
     return true;
@@ -151,9 +151,7 @@ StepOutcome Rkc::advance(System& system, State& state, double limit_s,
     for (Unknowns* unknowns : {&f0_, &f_, &y_[0], &y_[1], &y_[2]}) unknowns->resize(state);
     const bool estimates = ExplicitBound::is_due(state);
     const double wall_um = state.wall.acts() ? state.wall.radius_at(state.time_s) : 0.0;
-    outcome.trouble =
-        system.evaluate(state.x_um, state.volume_integral_s, wall_um,
-                        estimates ? System::Detail::forces_and_stiffness : System::Detail::forces);
+    outcome.trouble = system.evaluate(state.x_um, state.volume_integral_s, wall_um);
     if (outcome.trouble) return outcome;
     describe_forces(system, outcome);
     const double rate_per_s = estimates ? bound_.estimate_per_s(system) : state.fastest_rate_per_s;

@@ -84,7 +84,7 @@ bool RosenbrockW::compute_stages(System& system, const State& state, double end_
     const double wall_um = state.wall.acts() ? state.wall.radius_at(end_s) : 0.0;
 
     system.exchange_evaluations();
-    outcome.trouble = system.evaluate(x2_, integral2_s_, wall_um, System::Detail::forces);
+    outcome.trouble = system.evaluate(x2_, integral2_s_, wall_um);
     if (!outcome.trouble) {
         b_.assign(system.force_nN().begin(), system.force_nN().end());
         system.friction_product(k1_, k2_);
@@ -104,8 +104,7 @@ StepOutcome RosenbrockW::advance(System& system, State& state, double limit_s,
     StepOutcome outcome;
     const StepSize size(parameters_);
     const double wall_um = state.wall.acts() ? state.wall.radius_at(state.time_s) : 0.0;
-    outcome.trouble = system.evaluate(state.x_um, state.volume_integral_s, wall_um,
-                                      System::Detail::forces_and_stiffness);
+    outcome.trouble = system.evaluate(state.x_um, state.volume_integral_s, wall_um);
     if (outcome.trouble) return outcome;
     describe_forces(system, outcome);
     k2_.resize(state.x_um.size());

@@ -27,7 +27,8 @@ std::string Trouble::text() const {
 }
 
 System::System(Model model, SystemParts parts, int n_threads, Need also)
-    : model_(std::move(model)), parts_(std::move(parts)), workers_(n_threads), needs_(also) {
+    : model_(std::move(model)), parts_(std::move(parts)), workers_(n_threads), needs_(also),
+      couplings_(*model_.topology) {
     for (const auto& term : parts_.terms) {
         needs_ = needs_ | term->needs();
         work_.terms.push_back({std::string(term->name()), 0});
@@ -56,8 +57,7 @@ void System::allocate(Evaluation& evaluation) const {
 
 std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
                                         std::span<const double> volume_integral_s,
-                                        double wall_radius_um, Detail detail) {
-    const bool wants_stiffness = detail == Detail::forces_and_stiffness;
+                                        double wall_radius_um) {
     const auto same_bits = [](const auto& kept, const auto& asked) {
         return kept.size() == asked.size() &&
                std::memcmp(kept.data(), asked.data(), asked.size_bytes()) == 0;
@@ -65,16 +65,16 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
     // Measures look at a configuration just before a method starts from it; comparing costs a
     // thousandth of evaluating.
     if (now_.is_valid && wall_radius_um == now_.wall_radius_um && same_bits(now_.x_um, x_um) &&
-        same_bits(now_.volume_integral_s, volume_integral_s)) {
-        if (wants_stiffness && !now_.has_stiffness) evaluate_stiffness();
+        same_bits(now_.volume_integral_s, volume_integral_s))
         return {};
-    }
     if (now_.force_nN.empty()) allocate(now_);  // the first time that another one lies aside
     now_.is_valid = false;
     now_.x_um.assign(x_um.begin(), x_um.end());
     now_.volume_integral_s.assign(volume_integral_s.begin(), volume_integral_s.end());
     now_.wall_radius_um = wall_radius_um;
-    now_.has_stiffness = false;
+    now_.pairs.clear();
+    now_.has_pairs = false;
+    now_.assembled_dt_s = 0.0;
     if (needs_ != Need::none)
         workers_.loop(model_.n_cells(), [&](int cell) {
             now_.geometry.compute_cell(model_, now_.x_um, needs_, cell);
@@ -82,12 +82,7 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
     if (search_) search_->find(model_, now_.x_um, now_.geometry, workers_, now_.contacts);
     if (variational_search_)
         variational_search_->find(model_, now_.x_um, now_.geometry, workers_, now_.contacts);
-    if (parts_.contact) {
-        ++work_.contact_searches;
-        now_.pairs.clear();
-        if (parts_.frictions.contact && !wants_stiffness)
-            now_.pairs.build(model_, now_.contacts, parts_.frictions.contact, 0.0, workers_);
-    }
+    if (parts_.contact) ++work_.contact_searches;
     const Configuration at = configuration();
     workers_.loop(model_.n_cells(), [&](int cell) {
         const std::span<Vec3> F = model_.cell_nodes(std::span<Vec3>(now_.force_nN), cell);
@@ -103,24 +98,40 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
     if (std::find(cell_is_finite_.begin(), cell_is_finite_.end(), 0) != cell_is_finite_.end())
         return find_trouble();
     now_.is_valid = true;
-    if (wants_stiffness) evaluate_stiffness();
     return {};
 }
 
-void System::evaluate_stiffness() {
+void System::assemble(double dt_s) {
+    if (now_.assembled_dt_s == dt_s) return;
+    const double contact_kPa_s_per_um = parts_.contact ? dt_s * parts_.contact->k_kPa_per_um : 0.0;
     if (parts_.contact)
-        now_.pairs.build(model_, now_.contacts, parts_.frictions.contact,
-                         parts_.contact->k_kPa_per_um, workers_);
-    now_.stiffness.resize(model_.radius_um.size());
+        now_.pairs.build(model_, now_.contacts, parts_.frictions.contact, contact_kPa_s_per_um,
+                         workers_);
+    now_.has_pairs = true;
+    now_.cells.resize(model_.radius_um.size());
     const Configuration at = configuration();
     workers_.loop(model_.n_cells(), [&](int cell) {
-        CellStiffness& K = now_.stiffness[idx(cell)];
+        thread_local CellStiffness K;
         K.clear();
         for (const auto& term : parts_.terms)
             if (acts(*term)) term->add_stiffness(at, cell, K);
+        CellMatrix& matrix = now_.cells[idx(cell)];
+        matrix.clear(couplings_);
+        matrix.add(K, dt_s);
+        if (parts_.frictions.edge_nN_s_per_um > 0.0)
+            matrix.add_laplacian(*model_.topology, parts_.frictions.edge_nN_s_per_um);
+        if (parts_.contact)
+            ContactOperator::add_own_stiffness(cell, model_, now_.contacts, contact_kPa_s_per_um,
+                                               matrix);
     });
-    now_.has_stiffness = true;
+    now_.assembled_dt_s = dt_s;
     ++work_.stiffness_evaluations;
+}
+
+void System::assemble_friction() {
+    if (now_.has_pairs || !parts_.frictions.contact) return;
+    now_.pairs.build(model_, now_.contacts, parts_.frictions.contact, 0.0, workers_);
+    now_.has_pairs = true;
 }
 
 std::optional<Trouble> System::find_trouble() {
@@ -167,28 +178,26 @@ std::vector<Vec3> System::force_of_term(const ForceTerm& term) {
 }
 
 VelocitySystem System::velocity_system(double dt_s, std::span<const double> volume_coefficient) {
+    if (dt_s > 0.0)
+        assemble(dt_s);
+    else
+        assemble_friction();
     return {model_,
             now_.contacts,
             drag_,
             parts_.frictions.edge_nN_s_per_um,
             now_.pairs,
-            now_.has_stiffness ? std::span<const CellStiffness>(now_.stiffness)
-                               : std::span<const CellStiffness>(),
-            dt_s,
+            dt_s > 0.0 ? std::span<const CellMatrix>(now_.cells) : std::span<const CellMatrix>(),
             volume_coefficient,
             now_.geometry.volume_gradient_um2};
 }
 
 void System::friction_product(std::span<const Vec3> u, std::span<Vec3> out) {
-    VelocitySystem gamma = velocity_system(0.0, volume_friction_);
-    gamma.stiffness = {};
-    gamma.product(u, out, workers_);
+    velocity_system(0.0, volume_friction_).product(u, out, workers_);
 }
 
 SolveOutcome System::solve_friction(std::span<const Vec3> b, std::span<Vec3> v, double tolerance) {
-    // Gamma alone: the stiffness that the last evaluation may hold is left out by dt = 0.
-    VelocitySystem system = velocity_system(0.0, volume_friction_);
-    system.stiffness = {};
+    const VelocitySystem system = velocity_system(0.0, volume_friction_);
     const FrictionShape shape = friction_shape();
     const bool has_cortex = parts_.frictions.edge_nN_s_per_um > 0.0;
     if (shape != FrictionShape::changing) {

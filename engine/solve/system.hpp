@@ -44,14 +44,12 @@ class System {
     /// `also`: geometry that somebody else than the terms will read (measures).
     System(Model model, SystemParts parts, int n_threads, Need also = Need::none);
 
-    enum class Detail { forces, forces_and_stiffness };
-
-    /// Computes geometry, contacts, F and, if asked, K at these unknowns, with the wall at
-    /// wall_radius_um (0: none). Returns what is not finite, if anything. Does nothing if the last
-    /// evaluation was of the same bits.
+    /// Computes geometry, contacts and F at these unknowns, with the wall at wall_radius_um (0:
+    /// none). Returns what is not finite, if anything. Does nothing if the last evaluation was of
+    /// the same bits.
     [[nodiscard]] std::optional<Trouble> evaluate(std::span<const Vec3> x_um,
                                                   std::span<const double> volume_integral_s,
-                                                  double wall_radius_um, Detail detail);
+                                                  double wall_radius_um);
 
     /// Puts the last evaluation aside and takes up the one that lay there, by exchanging memory:
     /// between two calls a method of several stages looks at another configuration, and then has
@@ -69,8 +67,8 @@ class System {
     /// Force of one term alone at the last evaluation [all nodes].
     [[nodiscard]] std::vector<Vec3> force_of_term(const ForceTerm& term);
 
-    /// (Gamma + dt K) of the last evaluation; dt = 0 and Detail::forces: Gamma alone.
-    /// volume_coefficient [cells] or empty.
+    /// (Gamma + dt K) of the last evaluation, assembled when another dt is asked for than last
+    /// time; dt = 0: Gamma alone. volume_coefficient [cells] or empty. Valid until the next call.
     [[nodiscard]] VelocitySystem velocity_system(double dt_s,
                                                  std::span<const double> volume_coefficient);
     /// Coefficient of S S^T in Gamma: K T_d / V*. [cells], or empty if there is no such part.
@@ -105,15 +103,16 @@ class System {
         Geometry geometry;
         Contacts contacts;
         std::vector<Vec3> force_nN;
-        std::vector<CellStiffness> stiffness;
-        bool has_stiffness = false;
         ContactOperator pairs;
+        std::vector<CellMatrix> cells;
+        double assembled_dt_s = 0.0;  // of `cells` and the stiffness in `pairs`; 0: not there
+        bool has_pairs = false;       // the friction in `pairs` is there
     };
 
     void allocate(Evaluation& evaluation) const;
     [[nodiscard]] std::optional<Trouble> find_trouble();
-    /// K of the forces that have been evaluated: a step may follow on a look at the measures.
-    void evaluate_stiffness();
+    void assemble(double dt_s);
+    void assemble_friction();
     [[nodiscard]] bool acts(const ForceTerm& term) const {
         return &term != parts_.wall || now_.wall_radius_um > 0.0;
     }
@@ -126,6 +125,7 @@ class System {
     std::optional<VariationalSearch> variational_search_;  // law `variational`
     std::vector<double> drag_;
     std::vector<double> volume_friction_;
+    NodeCouplings couplings_;
     Evaluation now_;
     Evaluation aside_;
     std::vector<char> cell_is_finite_;

@@ -16,8 +16,10 @@ template <class Vector> void VelocitySystem::product_of_cell(int cell,
     const std::span<const Vector> u = model.cell_nodes(u_all, cell);
     const std::span<const double> d = model.cell_nodes(drag, cell);
     for (std::size_t i = 0; i < u.size(); ++i) out[i] = static_cast<Scalar>(d[i]) * u[i];
-    if (edge_friction > 0.0) add_cortex_friction(*model.topology, edge_friction, u, out);
-    if (!stiffness.empty()) stiffness[idx(cell)].add_product(dt_s, u, out);
+    if (!cells.empty())
+        cells[idx(cell)].add_product(u, out);
+    else if (edge_friction > 0.0)
+        add_cortex_friction(*model.topology, edge_friction, u, out);
     if (!volume_coefficient.empty()) {
         const std::span<const Vec3> s = model.cell_nodes(volume_gradient, cell);
         Scalar volume_rate{};

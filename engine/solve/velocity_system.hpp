@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/forces/cell_stiffness.hpp"
+#include "engine/solve/cell_matrix.hpp"
 #include "engine/solve/contact_operator.hpp"
 
 #include <span>
@@ -8,22 +8,21 @@
 
 namespace spheroscope {
 
-/// The linear system of one step, (Gamma + dt K) v = b, never assembled:
+/// The linear system of one step, (Gamma + dt K) v = b:
 ///
 ///   Gamma = drag (diagonal) + cortex (the mesh's Laplacian, shared by all cells) + contacts
-///   (pairs) K     = elements of each cell (CellStiffness) + contacts (k S n n^T per pair) and per
-///   cell one rank-one part, coefficient * S S^T with S = dV/dx: the derivative part of the volume
-///   controller, and in an implicit method its stiffness.
+///   K     = the cells' own terms + contacts (k S n n^T per pair of triangles)
 ///
-/// With dt = 0 and no stiffness it is the friction matrix alone.
+/// and per cell one rank-one part, coefficient * S S^T with S = dV/dx: the derivative part of the
+/// volume controller, and in an implicit method its stiffness. Gamma alone is never assembled but
+/// for its contacts; with dt K there is one CellMatrix per cell, which has the cortex in it.
 struct VelocitySystem {
     const Model& model;
     const Contacts& contacts;
     std::span<const double> drag;                ///< [all nodes]
     double edge_friction = 0.0;                  ///< 0: absent
     ContactOperator& pairs;                      ///< empty without contact friction and stiffness
-    std::span<const CellStiffness> stiffness;    ///< [cells], or empty: dt K is left out
-    double dt_s = 0.0;                           ///< factor of K
+    std::span<const CellMatrix> cells;           ///< [cells], or empty: Gamma alone
     std::span<const double> volume_coefficient;  ///< [cells], or empty: no rank-one part
     std::span<const Vec3> volume_gradient;       ///< S [all nodes]
 
@@ -31,7 +30,10 @@ struct VelocitySystem {
     /// A product is product_of_group for all groups, a barrier, then product_of_cell for all cells.
     /// Vector: Vec3 or Lanes.
     template <class Vector> void product_of_group(int group, std::span<const Vector> u) const {
-        pairs.product_of_group(group, model, dt_s, u);
+        pairs.product_of_group(group, model,
+                               cells.empty() ? ContactOperator::Part::friction
+                                             : ContactOperator::Part::friction_and_stiffness,
+                               u);
     }
     /// out [n_nodes of the cell] = row block of the cell times u [all nodes].
     template <class Vector>

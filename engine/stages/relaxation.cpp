@@ -23,9 +23,9 @@ bool is_steady(double before, double now, double size) {
 }  // namespace
 
 void Relaxation::begin(StageContext& context) const {
+    // After another relaxation the motion simply goes on, with the steps that it had; where a wall
+    // went away, that stage has said so.
     context.memory.samples.clear();
-    context.state.has_velocity = false;
-    context.state.next_dt_s = 0.0;
 }
 
 double Relaxation::latest_end_s(const StageContext& context) const {

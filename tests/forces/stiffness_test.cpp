@@ -70,21 +70,6 @@ TEST_P(Stiffness, IsSymmetricAndPositiveSemiDefinite) {
     }
 }
 
-TEST_P(Stiffness, DiagonalBlocksAreThoseOfTheProduct) {
-    TestCell test(42);
-    test.shake(8, k_noise);
-    const CellStiffness K = stiffness_of(*term, test);
-    const double factor = 0.37;
-    const Eigen::MatrixXd whole = dense(K, test.n_nodes(), factor);
-    std::vector<Mat3> blocks(test.n_nodes(), Mat3::Zero());
-    K.add_diagonal(factor, blocks);
-    const double size = whole.cwiseAbs().maxCoeff();
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(3 * i);
-        EXPECT_LE((blocks[i] - whole.block<3, 3>(row, row)).cwiseAbs().maxCoeff(), 1e-14 * size);
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(Terms, Stiffness, testing::Range(std::size_t{0}, force_terms().size()),
                          name_of_row);
 

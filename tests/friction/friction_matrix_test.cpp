@@ -34,7 +34,7 @@ class FrictionMatrix : public testing::Test {
 
     FrictionMatrix() : system(cells.model, make_parts(values()), 1) {
         const std::vector<double> integral(2, 0.0);
-        EXPECT_FALSE(system.evaluate(cells.x_um, integral, 0.0, System::Detail::forces));
+        EXPECT_FALSE(system.evaluate(cells.x_um, integral, 0.0));
         EXPECT_GT(system.contacts().n_pairs(), 5U);
     }
     MatrixXd product() {

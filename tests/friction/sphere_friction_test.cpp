@@ -34,7 +34,7 @@ TEST(Drag, OfAForceOnAWholeCellIsStokes) {
     const Model model = make_model(make_icosphere(642), {k_R_um});
     System system = system_of(model, values);
     const std::vector<double> integral(1, 0.0);
-    ASSERT_FALSE(system.evaluate(rest_positions(model), integral, 0.0, System::Detail::forces));
+    ASSERT_FALSE(system.evaluate(rest_positions(model), integral, 0.0));
     std::vector<Vec3> v(model.n_all_nodes(), Vec3::Zero());
     ASSERT_TRUE(system.solve_friction(system.force_nN(), v, 1e-12).converged);
     // The area of the mesh takes the place of 4 pi R^2.
@@ -53,7 +53,7 @@ TEST(RigidSpin, IsResistedByDragAndByTheCortex) {
     System system = system_of(model, values);
     const std::vector<double> integral(1, 0.0);
     const std::vector<Vec3> x = rest_positions(model);
-    ASSERT_FALSE(system.evaluate(x, integral, 0.0, System::Detail::forces));
+    ASSERT_FALSE(system.evaluate(x, integral, 0.0));
     const double t_um = k_thickness_um;
     const double cortex = 16.0 * k_pi / 3.0 * k_eta * t_um * k_R_um * k_R_um;
     const double drag = 4.0 * k_pi * k_eta_f * std::pow(k_R_um, 3);
@@ -80,7 +80,7 @@ double breathing_rate(const Model& model) {
     values.eta_kPa_s = k_eta;
     System system = system_of(model, values);
     const std::vector<double> integral(1, 0.0);
-    EXPECT_FALSE(system.evaluate(rest_positions(model), integral, 0.0, System::Detail::forces));
+    EXPECT_FALSE(system.evaluate(rest_positions(model), integral, 0.0));
     const std::vector<Vec3>& S = system.geometry().volume_gradient_um2;
     std::vector<Vec3> v(S.size(), Vec3::Zero());
     EXPECT_TRUE(system.solve_friction(S, v, 1e-12).converged);

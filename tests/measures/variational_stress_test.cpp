@@ -19,7 +19,7 @@ TEST(VariationalStress, IsTheVirialOfTheNodesForcesFromOutsideAndFromInside) {
     values.contact->form = ContactForm::variational;
     System system(cells.model, make_parts(values), 1, Need::volumes);
     const std::vector<double> no_integral(2, 0.0);
-    ASSERT_FALSE(system.evaluate(cells.x_um, no_integral, 0.0, System::Detail::forces).has_value());
+    ASSERT_FALSE(system.evaluate(cells.x_um, no_integral, 0.0).has_value());
     const Configuration at = system.configuration();
 
     std::array<double, 2> virial{};
@@ -54,7 +54,7 @@ TEST(VariationalStress, SumsToZeroWhereTheContactForcesOfEachCellDo) {
     values.contact->form = ContactForm::variational;
     System system(cells.model, make_parts(values), 1, Need::volumes);
     const std::vector<double> no_integral(cells.model.radius_um.size(), 0.0);
-    ASSERT_FALSE(system.evaluate(cells.x_um, no_integral, 0.0, System::Detail::forces).has_value());
+    ASSERT_FALSE(system.evaluate(cells.x_um, no_integral, 0.0).has_value());
     const Configuration at = system.configuration();
     const std::vector<Mat3> stress = cell_stress_tensors(at);
     double sum = 0.0, size = 0.0;

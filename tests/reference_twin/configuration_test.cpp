@@ -28,8 +28,7 @@ class TwinConfiguration : public testing::TestWithParam<const char*> {
         auto system = std::make_unique<System>(twin.model(), std::move(parts), 1,
                                                Need::triangles | Need::volumes);
         EXPECT_FALSE(system->evaluate(twin.vectors("configuration/x"),
-                                      twin.numbers("configuration/volume_integral"), 0.0,
-                                      System::Detail::forces));
+                                      twin.numbers("configuration/volume_integral"), 0.0));
         return system;
     }
     [[nodiscard]] std::unique_ptr<System> engine(ContactPrecision precision) const {

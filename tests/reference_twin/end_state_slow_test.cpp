@@ -24,7 +24,7 @@ TEST_P(TwinMotion, EndsWhereTheEnginesDoes) {
     parameters.linear_tolerance = 1e-8;
     const auto method = find_method(method_name)->make(parameters);
     ASSERT_TRUE(advance_until(*method, system, state, twin.attribute("end", "time_s")).accepted);
-    ASSERT_FALSE(system.evaluate(state.x_um, state.volume_integral_s, 0.0, System::Detail::forces));
+    ASSERT_FALSE(system.evaluate(state.x_um, state.volume_integral_s, 0.0));
 
     expect_same_measures(measures_of(system), twin.measures("end"), k_tolerance);
     const std::vector<Vec3> start = twin.vectors("start/x");

@@ -211,6 +211,17 @@ TEST(SceneResolution, StagesThatCannotFollowEachOtherAreRefused) {
         "be pressed through each other");
 }
 
+TEST(SceneResolution, AStageIsOnTheCoarserOfItsMeshAndTheCells) {
+    const std::string stages = "[[stage]]\nkind = \"relax\"\nduration = \"1 s\"\nnodes = 162\n"
+                               "[[stage]]\nkind = \"relax\"\nduration = \"1 s\"\n";
+    for (const int nodes : {42, 162, 642}) {
+        const Scene scene =
+            parse_scene(with_stages(stages), "a.toml", {{"cells.nodes", std::to_string(nodes)}});
+        EXPECT_EQ(scene.stages[0].nodes, std::min(nodes, 162));
+        EXPECT_EQ(scene.stages[1].nodes, nodes);
+    }
+}
+
 TEST(SceneResolution, FieldsOfPicturesAreMeasured) {
     const Scene scene = read(k_drop + "[measures]\nfields = [\"a\"]\n[[picture]]\nfield = \"b\"\n"
                                       "[[picture]]\nname = \"second\"\nfield = \"a\"\n");

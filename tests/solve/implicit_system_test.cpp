@@ -6,6 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace spheroscope::test {
 namespace {
 
@@ -27,18 +29,23 @@ class ImplicitSystem : public testing::Test {
         return v;
     }
     ImplicitSystem() : system(cells.model, make_parts(values()), 1) {
-        EXPECT_FALSE(
-            system.evaluate(cells.x_um, integral_s, 0.0, System::Detail::forces_and_stiffness));
+        EXPECT_FALSE(system.evaluate(cells.x_um, integral_s, 0.0));
+    }
+    static std::vector<CellStiffness> elements(const System& of) {
+        std::vector<CellStiffness> K(of.model().radius_um.size());
+        for (int cell = 0; cell < of.model().n_cells(); ++cell)
+            for (const auto& term : of.parts().terms)
+                term->add_stiffness(of.configuration(), cell, K[static_cast<std::size_t>(cell)]);
+        return K;
     }
     /// Gamma + dt K + coefficient S S^T from the definitions.
     MatrixXd dense(std::span<const double> coefficient) {
         const Frictions& frictions = system.parts().frictions;
-        const VelocitySystem parts = system.velocity_system(dt_s, {});
         return reference::dense_drag(cells.model, frictions.eta_f_kPa_s) +
                reference::dense_cortex(cells.model, frictions.edge_nN_s_per_um) +
                reference::dense_contact_friction(cells.model, system.contacts(),
                                                  *frictions.contact) +
-               dt_s * reference::dense_cell_stiffness(cells.model, parts.stiffness) +
+               dt_s * reference::dense_cell_stiffness(cells.model, elements(system)) +
                dt_s * reference::dense_contact_stiffness(cells.model, system.contacts(),
                                                          system.parts().contact->k_kPa_per_um) +
                reference::dense_volume(cells.model, coefficient,
@@ -57,21 +64,66 @@ TEST_F(ImplicitSystem, IsFrictionPlusTimeStepTimesStiffness) {
     const MatrixXd twin = dense(coefficient);
     // the elements of pairs and cells are stored in single precision
     EXPECT_LE(largest(matrix - twin), 2e-7 * largest(twin));
-    EXPECT_LE(largest(matrix - matrix.transpose()), 1e-12 * largest(twin));
+    // and so are the sums that make up the diagonal blocks
+    EXPECT_LE(largest(matrix - matrix.transpose()), 2e-8 * largest(twin));
 }
 
 TEST_F(ImplicitSystem, HasAContactStiffnessThatIsSymmetricAndPositiveSemiDefinite) {
-    const auto without_cells = [&](double dt) {
-        VelocitySystem matrix = system.velocity_system(dt, {});
-        matrix.stiffness = {};  // the cells' own
-        return reference::dense_product(matrix, system.workers());
+    PartValues contact_alone;
+    contact_alone.contact = values().contact;
+    contact_alone.contact_friction = values().contact_friction;
+    System contacts(cells.model, make_parts(contact_alone), 1);
+    ASSERT_FALSE(contacts.evaluate(cells.x_um, integral_s, 0.0));
+    const auto dense = [&](double dt) {
+        return reference::dense_product(contacts.velocity_system(dt, {}), contacts.workers());
     };
-    const MatrixXd with = without_cells(1.0), without = without_cells(0.0);
-    const MatrixXd K = with - without;
+    const MatrixXd K = dense(1.0) - dense(0.0);
     ASSERT_GT(largest(K), 0.0);
     EXPECT_LE(largest(K - K.transpose()), 1e-13 * largest(K));
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(K, Eigen::EigenvaluesOnly);
-    EXPECT_GE(eigen.eigenvalues().minCoeff(), -1e-13 * largest(K));
+    // sums of squares, each block rounded to single precision
+    EXPECT_GE(eigen.eigenvalues().minCoeff(), -1e-7 * largest(K));
+}
+
+TEST_F(ImplicitSystem, HasTheDiagonalBlocksOfItsProduct) {
+    const VelocitySystem matrix = system.velocity_system(dt_s, {});
+    const MatrixXd whole = reference::dense_product(matrix, system.workers());
+    for (int cell = 0; cell < 2; ++cell) {
+        const std::span<const double> drag = cells.model.cell_nodes(matrix.drag, cell);
+        std::vector<Mat3> blocks;
+        for (const double d : drag) blocks.emplace_back(d * Mat3::Identity());
+        matrix.cells[static_cast<std::size_t>(cell)].add_diagonal(blocks);
+        matrix.pairs.add_diagonal(cell, matrix.contacts, blocks);
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            const auto row = static_cast<Eigen::Index>(
+                3 * (static_cast<std::size_t>(cell * cells.model.n_nodes()) + i));
+            EXPECT_LE(largest(blocks[i] - whole.block<3, 3>(row, row)), 1e-12 * largest(whole));
+        }
+    }
+}
+
+TEST_F(ImplicitSystem, InSinglePrecisionIsTheSameProduct) {
+    const VelocitySystem matrix = system.velocity_system(dt_s, {});
+    const std::size_t n = cells.x_um.size();
+    std::vector<Vec3> u(n), out(n);
+    std::vector<Lanes> u_single, out_single(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto x = static_cast<double>(i);
+        u_single.emplace_back(Vec3(std::sin(x), std::cos(3.0 * x), std::sin(5.0 * x)));
+        u[i] = u_single.back().vec3();
+    }
+    matrix.product(u, out, system.workers());
+    for (int g = 0; g < matrix.n_groups(); ++g)
+        matrix.product_of_group(g, std::span<const Lanes>(u_single));
+    for (int cell = 0; cell < 2; ++cell)
+        matrix.product_of_cell(cell, std::span<const Lanes>(u_single),
+                               cells.model.cell_nodes(std::span<Lanes>(out_single), cell));
+    double largest_of_all = 0.0;
+    for (const Vec3& y : out) largest_of_all = std::max(largest_of_all, y.norm());
+    for (std::size_t i = 0; i < n; ++i) {
+        EXPECT_LE((out_single[i].vec3() - out[i]).norm(), 2e-6 * largest_of_all);
+        EXPECT_EQ(out_single[i].lane[3], 0.0F) << "dot products rely on it";
+    }
 }
 
 TEST_F(ImplicitSystem, OfAStepIsSolvedAndAppliedAsWritten) {

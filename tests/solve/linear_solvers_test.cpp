@@ -71,8 +71,7 @@ class CoupledCells : public testing::Test {
         return v;
     }
     CoupledCells() : system(cells.model, make_parts(values()), 2) {
-        EXPECT_FALSE(system.evaluate(cells.x_um, std::vector<double>(3, 0.0), 0.0,
-                                     System::Detail::forces_and_stiffness));
+        EXPECT_FALSE(system.evaluate(cells.x_um, std::vector<double>(3, 0.0), 0.0));
         EXPECT_EQ(system.contacts().groups.size(), 2U);
     }
     Cluster cells = row();
@@ -80,8 +79,7 @@ class CoupledCells : public testing::Test {
 };
 
 TEST_F(CoupledCells, FrictionIsSolvedLikeADenseSystem) {
-    VelocitySystem gamma = system.velocity_system(0.0, system.volume_friction());
-    gamma.stiffness = {};
+    const VelocitySystem gamma = system.velocity_system(0.0, system.volume_friction());
     const MatrixXd dense = reference::dense_product(gamma, system.workers());
     const std::vector<Vec3> b = random_vectors(cells.x_um.size(), 2);
     std::vector<Vec3> v(b.size(), Vec3::Zero());
@@ -152,7 +150,7 @@ TEST(VolumePart, IsInvertedExactlyWhereNoCellsTouch) {
         const std::vector<Vec3> x =
             turned_cells(model, std::vector<Vec3>{Vec3::Zero(), Vec3(40, 0, 0)}, 8, 0.1);
         System system(model, make_parts(values), 1);
-        ASSERT_FALSE(system.evaluate(x, std::vector<double>(2, 0.0), 0.0, System::Detail::forces));
+        ASSERT_FALSE(system.evaluate(x, std::vector<double>(2, 0.0), 0.0));
         const std::vector<Vec3> b = random_vectors(x.size(), 9);
         std::vector<Vec3> v(b.size(), Vec3::Zero());
         const SolveOutcome outcome = system.solve_friction(b, v, 1e-30);

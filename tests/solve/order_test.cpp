@@ -120,8 +120,7 @@ TEST(OrderOfADoublet, IsMeasuredWhereFrictionChangesAndNoPairComesOrGoes) {
     const Problem& problem = doublet_problem();
     System system(problem.cells.model, make_parts(problem.values), 1);
     const auto pairs_at = [&](const std::vector<Vec3>& x_um) {
-        EXPECT_FALSE(
-            system.evaluate(x_um, problem.start.volume_integral_s, 0.0, System::Detail::forces));
+        EXPECT_FALSE(system.evaluate(x_um, problem.start.volume_integral_s, 0.0));
         return system.contacts().groups.at(0).pairs;
     };
     const auto before = pairs_at(problem.start.x_um);

@@ -51,8 +51,7 @@ TEST(CellAtRest, HasTheLaplacePressureOfItsMesh) {
         System system(model, make_parts(values), 1, Need::triangles | Need::volumes);
         State state = rest_shape(model);
         const auto evaluate = [&] {
-            return system.evaluate(state.x_um, state.volume_integral_s, 0.0,
-                                   System::Detail::forces_and_stiffness);
+            return system.evaluate(state.x_um, state.volume_integral_s, 0.0);
         };
         ASSERT_FALSE(evaluate());
         const CytosolPressure& cytosol = *system.parts().cytosol;
@@ -136,8 +135,7 @@ Oscillation volume_oscillation(const char* method_name, double dt_s, double end_
     double before = -1.0, before_s = 0.0;
     while (state.time_s < end_s) {
         EXPECT_TRUE(method->advance(system, state, end_s, false).accepted);
-        EXPECT_FALSE(
-            system.evaluate(state.x_um, state.volume_integral_s, 0.0, System::Detail::forces));
+        EXPECT_FALSE(system.evaluate(state.x_um, state.volume_integral_s, 0.0));
         const double strain = system.parts().cytosol->volume_strain(system.configuration(), 0);
         if (before * strain < 0.0)
             oscillation.crossings_s.push_back(before_s + (state.time_s - before_s) * before /
@@ -193,7 +191,7 @@ TEST(Ellipsoid, RelaxesToTheSphereMonotonouslyAtTheRateOfTheLinearProblem) {
     const std::vector<double> no_integral(1, 0.0);
     const auto force_at = [&](const Eigen::VectorXd& x) {
         const std::vector<Vec3> positions = reference::unflat(x);
-        EXPECT_FALSE(system.evaluate(positions, no_integral, 0.0, System::Detail::forces));
+        EXPECT_FALSE(system.evaluate(positions, no_integral, 0.0));
         return reference::flat(system.force_nN());
     };
     // The linear problem: Gamma u' = -K u with K = -dF/dx by differences.
@@ -251,8 +249,7 @@ TEST(Ellipsoid, RelaxesToTheSphereMonotonouslyAtTheRateOfTheLinearProblem) {
         }
         before = now;
         linear_before = linear;
-        ASSERT_FALSE(
-            system.evaluate(state.x_um, state.volume_integral_s, 0.0, System::Detail::forces));
+        ASSERT_FALSE(system.evaluate(state.x_um, state.volume_integral_s, 0.0));
         const double now_fJ = system.energy_fJ();
         EXPECT_LE(now_fJ, energy_fJ * (1.0 + 1e-12));
         energy_fJ = now_fJ;

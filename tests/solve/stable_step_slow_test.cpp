@@ -24,8 +24,7 @@ double estimate_over_ladder(const Rig& rig, double settled_s) {
     settle.tolerance_um = 6e-3;
     const auto implicit = find_method("linearly_implicit")->make(settle);
     EXPECT_TRUE(advance_until(*implicit, system, start, settled_s).accepted);
-    EXPECT_FALSE(system.evaluate(start.x_um, start.volume_integral_s, 0.0,
-                                 System::Detail::forces_and_stiffness));
+    EXPECT_FALSE(system.evaluate(start.x_um, start.volume_integral_s, 0.0));
     FastestMode mode;
     const double estimate_s = 2.0 / mode.rate_per_s(system);
     double stable_s = 0.0;

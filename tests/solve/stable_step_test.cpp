@@ -51,10 +51,8 @@ Ending doublet_run(const PartValues& values, const MethodParameters& parameters,
 TEST(StableStep, IsTheFastestModeOfTheDenseMatrices) {
     const Cluster cells = make_doublet(42, 3, 5.0, 6.0, 0.3, 0.05);
     System system(cells.model, make_parts(stiff_values(20.0, adhesive_law(0.5, 0.3, 2.0, 0.0))), 1);
-    ASSERT_FALSE(system.evaluate(cells.x_um, std::vector<double>(2, 0.0), 0.0,
-                                 System::Detail::forces_and_stiffness));
-    VelocitySystem gamma = system.velocity_system(0.0, system.volume_friction());
-    gamma.stiffness = {};
+    ASSERT_FALSE(system.evaluate(cells.x_um, std::vector<double>(2, 0.0), 0.0));
+    const VelocitySystem gamma = system.velocity_system(0.0, system.volume_friction());
     const Eigen::MatrixXd dense_gamma = reference::dense_product(gamma, system.workers());
     std::vector<double> coefficient;
     for (const double target_um3 : cells.model.target_volume_um3)

@@ -40,7 +40,7 @@ class Law {
   private:
     void evaluate(std::span<const Vec3> x_um) {
         const std::vector<double> no_integral(system_.model().radius_um.size(), 0.0);
-        const auto trouble = system_.evaluate(x_um, no_integral, 0.0, System::Detail::forces);
+        const auto trouble = system_.evaluate(x_um, no_integral, 0.0);
         ASSERT_FALSE(trouble.has_value());
     }
     System system_;
@@ -206,7 +206,7 @@ TEST(VariationalLaw, AloneMakesFilms) {
     traction.contact->form = ContactForm::traction;
     System paper(cells.model, make_parts(traction), 1);
     const std::vector<double> no_integral(2, 0.0);
-    ASSERT_FALSE(paper.evaluate(cells.x_um, no_integral, 0.0, System::Detail::forces).has_value());
+    ASSERT_FALSE(paper.evaluate(cells.x_um, no_integral, 0.0).has_value());
     EXPECT_FALSE(paper.contacts().groups.at(0).pairs.empty());
     EXPECT_TRUE(paper.contacts().groups.at(0).films_a.empty());
     EXPECT_TRUE(paper.contacts().groups.at(0).films_b.empty());
@@ -216,8 +216,7 @@ TEST(VariationalLaw, GivesTheImplicitMatrixAPositiveStiffnessAcrossTheContact) {
     const Cluster cells = make_doublet(162, 6, 5.0, 4.0, 0.3, 0.0);
     System system(cells.model, make_parts(contact_alone()), 1);
     const std::vector<double> no_integral(2, 0.0);
-    ASSERT_FALSE(system.evaluate(cells.x_um, no_integral, 0.0, System::Detail::forces_and_stiffness)
-                     .has_value());
+    ASSERT_FALSE(system.evaluate(cells.x_um, no_integral, 0.0).has_value());
     const auto work_of = [&](std::span<const Vec3> u, double dt_s) {
         std::vector<Vec3> product(u.size());
         system.velocity_system(dt_s, {}).product(u, product, system.workers());

@@ -55,8 +55,7 @@ class SoftDoublet {
         return parts;
     }
     void evaluate() {
-        const auto trouble =
-            system_.evaluate(state_.x_um, state_.volume_integral_s, 0.0, System::Detail::forces);
+        const auto trouble = system_.evaluate(state_.x_um, state_.volume_integral_s, 0.0);
         ASSERT_FALSE(trouble.has_value()) << trouble->text();
     }
 

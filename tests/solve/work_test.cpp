@@ -135,24 +135,30 @@ TEST(Work, OfAnEvaluationIsDoneOnceForTheSameConfiguration) {
     PartValues values = case_a_values();
     System system(cells.model, make_parts(values), 1);
     std::vector<double> integral(2, 0.0);
-    using enum System::Detail;
-    ASSERT_FALSE(system.evaluate(cells.x_um, integral, 0.0, forces_and_stiffness));
-    ASSERT_FALSE(system.evaluate(cells.x_um, integral, 0.0, forces));
+    ASSERT_FALSE(system.evaluate(cells.x_um, integral, 0.0));
+    ASSERT_FALSE(system.evaluate(cells.x_um, integral, 0.0));
     EXPECT_EQ(system.work().force_evaluations, 1);
     integral[1] = 1e-3;
-    ASSERT_FALSE(system.evaluate(cells.x_um, integral, 0.0, forces));
+    ASSERT_FALSE(system.evaluate(cells.x_um, integral, 0.0));
     EXPECT_EQ(system.work().force_evaluations, 2);
-    ASSERT_FALSE(system.evaluate(cells.x_um, integral, 0.0, forces_and_stiffness));
-    EXPECT_EQ(system.work().force_evaluations, 2) << "only the stiffness was missing";
-    EXPECT_EQ(system.work().stiffness_evaluations, 2);
-    const auto product = [&](System& of) {
+    EXPECT_EQ(system.work().stiffness_evaluations, 0) << "nobody has asked";
+    const auto product = [&](System& of, double dt_s) {
         std::vector<Vec3> out(cells.x_um.size());
-        of.velocity_system(0.1, {}).product(cells.x_um, out, of.workers());
+        of.velocity_system(dt_s, {}).product(cells.x_um, out, of.workers());
         return out;
     };
+    const std::vector<Vec3> friction = product(system, 0.0);
+    EXPECT_EQ(system.work().stiffness_evaluations, 0) << "the friction matrix has none";
+    const std::vector<Vec3> implicit = product(system, 0.1);
+    EXPECT_EQ(product(system, 0.1), implicit);
+    EXPECT_EQ(system.work().stiffness_evaluations, 1);
+    EXPECT_NE(product(system, 0.2), implicit);
+    EXPECT_EQ(system.work().stiffness_evaluations, 2) << "another step is another matrix";
+    EXPECT_EQ(product(system, 0.0), friction);
+    EXPECT_EQ(system.work().force_evaluations, 2);
     System fresh(cells.model, make_parts(values), 1);
-    ASSERT_FALSE(fresh.evaluate(cells.x_um, integral, 0.0, forces_and_stiffness));
-    EXPECT_EQ(product(system), product(fresh));
+    ASSERT_FALSE(fresh.evaluate(cells.x_um, integral, 0.0));
+    EXPECT_EQ(product(fresh, 0.1), implicit);
 }
 
 class Allocations : public testing::TestWithParam<std::string_view> {};
