@@ -200,6 +200,12 @@ std::span<const TotalsRow> all_totals() {
     return rows;
 }
 
+const TotalsRow* find_total(std::string_view name) {
+    for (const TotalsRow& row : all_totals())
+        if (row.name == name) return &row;
+    return nullptr;
+}
+
 double value_of(const TotalsRow& row, const Totals& totals) {
     return std::visit([&](auto member) { return static_cast<double>(totals.*member); }, row.member);
 }

@@ -45,6 +45,8 @@ struct TotalsRow {
     std::variant<double Totals::*, int Totals::*> member;
 };
 [[nodiscard]] std::span<const TotalsRow> all_totals();
+/// The row of that name; nullptr if there is none.
+[[nodiscard]] const TotalsRow* find_total(std::string_view name);
 [[nodiscard]] double value_of(const TotalsRow& row, const Totals& totals);
 
 /// Everything that follows from one configuration. Energy, powers and virial_identity are left

@@ -1,5 +1,7 @@
 #include "engine/scene/resolve.hpp"
 
+#include "engine/scene/shots.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -340,6 +342,7 @@ void resolve_pictures(Draft& draft) {
             throw Error(picture.loc, fmt::format("picture.given_range wants [lowest, highest], got "
                                                  "[{}, {}]",
                                                  picture.given_range[0], picture.given_range[1]));
+        static_cast<void>(parse_shots(picture));  // throws for a shot that nobody understands
         if (!picture.field.empty() && !has_field(picture.field)) fields.push_back(picture.field);
     }
 }

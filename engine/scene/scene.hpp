@@ -186,6 +186,9 @@ struct Picture {
     double azimuth_deg = 30.0, elevation_deg = 20.0;
     double orbit_deg = 0.0;  ///< turned over the whole movie
     double fps = 30.0;
+    bool smooth = true;              ///< drawn at twice the size, then averaged
+    std::string plot;                ///< a row of all_totals() below the picture; empty: no plot
+    std::vector<std::string> shots;  ///< engine/scene/shots.hpp; empty: every frame once
 };
 
 /// A bound that the end of the run must meet: [expect] name = { value, tolerance } or { min, max }.

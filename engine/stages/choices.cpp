@@ -1,5 +1,7 @@
 #include "engine/stages/choices.hpp"
 
+#include "engine/measures/totals.hpp"
+
 #include <string>
 
 namespace spheroscope {
@@ -70,6 +72,10 @@ std::vector<const Field*> chosen_fields(const scene::Scene& scene) {
                         "it is " + std::string(field->description));
         fields.push_back(field);
     }
+    for (const scene::Picture& picture : scene.pictures)
+        if (!picture.plot.empty() && find_total(picture.plot) == nullptr)
+            throw Error(picture.loc, "picture.plot: there is no measure '" + picture.plot + "'",
+                        "measures are:" + names_of(all_totals()));
     return fields;
 }
 

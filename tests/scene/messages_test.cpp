@@ -213,5 +213,23 @@ TEST(SceneMessages, FilesThatCannotBeReadAreNamed) {
               "/tmp: error: this is a directory, wanted a scene file (*.toml)");
 }
 
+TEST(Messages, OfShotsNameTheShotAndSayWhatThereIs) {
+    const auto with_shots = [](const std::string& shots) {
+        return refusal(k_drop + "[[picture]]\nshots = " + shots + "\n");
+    };
+    const std::string at = "a.toml:13:1: error: picture.shots";
+    EXPECT_TRUE(with_shots("[\"jump\"]").starts_with(at + ": \"jump\": no such shot"));
+    EXPECT_TRUE(
+        with_shots("[\"play to 2 um\"]")
+            .starts_with(at + ": \"play to 2 um\": wanted is a time, got \"2 um\" (a length)"))
+        << with_shots("[\"play to 2 um\"]");
+    EXPECT_TRUE(with_shots("[\"freeze 2 s, orbit 3 s\"]").find("wanted is an angle") !=
+                std::string::npos);
+    EXPECT_TRUE(with_shots("[\"freeze 0 s\"]").find("at most 10 min") != std::string::npos);
+    EXPECT_TRUE(with_shots("[\"play to 2 s\", \"play to 1 s\"]").find("already") !=
+                std::string::npos);
+    EXPECT_TRUE(with_shots("[\"freeze 2 s\"]").starts_with(at + " plays nothing"));
+}
+
 }  // namespace
 }  // namespace spheroscope::scene
