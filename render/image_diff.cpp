@@ -1,6 +1,9 @@
 #include "render/image_diff.hpp"
 
 #include "engine/base/error.hpp"
+#include "render/text.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +23,9 @@ void check_sizes(const Image& a, const Image& b) {
         return std::to_string(image.width) + " x " + std::to_string(image.height);
     };
     if (a.width != b.width || a.height != b.height)
-        throw Error("two pictures of one size are wanted, got " + text(a) + " and " + text(b));
+        throw Error("two pictures of one size are wanted, got " + text(a) + " and " + text(b),
+                    "draw both with one --set 'picture[0].size=[WIDTH, HEIGHT]'",
+                    ExitCode::differs);
 }
 
 /// The smallest distance of a colour from the 3 x 3 pixels around (x, y).
@@ -87,28 +92,71 @@ ImageDifference compare_images(const Image& reference, const Image& other, int t
     double similarity = 0.0;
     int n_blocks = 0;
     for (int y = 0; y < reference.height; y += side)
-        for (int x = 0; x < reference.width; x += side, ++n_blocks)
-            similarity +=
+        for (int x = 0; x < reference.width; x += side, ++n_blocks) {
+            const double here =
                 block_similarity(reference, other, x, y, std::min(x + side, reference.width),
                                  std::min(y + side, reference.height));
+            similarity += here;
+            result.worst_similarity = std::min(result.worst_similarity, here);
+        }
     result.similarity = similarity / n_blocks;
     return result;
 }
 
+std::vector<std::string> broken_bounds(const ImageDifference& d, const ImageTolerance& tolerance) {
+    std::vector<std::string> broken;
+    if (d.max_difference > tolerance.max_difference)
+        broken.push_back(fmt::format("a channel differs by {}, allowed are {}", d.max_difference,
+                                     tolerance.max_difference));
+    if (d.share_over_threshold_shifted > tolerance.shifted_share)
+        broken.push_back(fmt::format("{:.3g} of the pixels differ also when edges may move by a "
+                                     "pixel, allowed are {:.3g}",
+                                     d.share_over_threshold_shifted, tolerance.shifted_share));
+    if (d.similarity < tolerance.similarity)
+        broken.push_back(fmt::format("the similarity is {:.5f}, wanted are {:.5f} or more",
+                                     d.similarity, tolerance.similarity));
+    return broken;
+}
+
+std::string blank_reason(const Image& image) {
+    if (image.rgb.empty()) return "has no pixels";
+    // What a renderer leaves behind that drew nothing. Its own pictures are mostly white and have
+    // dark writing on less than a tenth, so both bounds are far away from them.
+    constexpr int one_colour = 4, black = 16;
+    constexpr double most = 0.99;
+    const Rgb first = image.at(0, 0);
+    bool is_one_colour = true;
+    std::int64_t n_black = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Rgb c = image.at(x, y);
+            is_one_colour = is_one_colour && distance(c, first) <= one_colour;
+            if (std::max({c.r, c.g, c.b}) < black) ++n_black;
+        }
+    if (static_cast<double>(n_black) >= most * image.width * image.height) return "is black";
+    return is_one_colour ? "has one colour all over" : "";
+}
+
 Image difference_sheet(const Image& reference, const Image& other) {
     check_sizes(reference, other);
-    constexpr int gap = 8;
-    Image sheet(3 * reference.width + 2 * gap, reference.height, {200, 200, 200});
+    const int stride = reference.width + k_sheet_gap_px;
+    Image sheet(3 * stride - k_sheet_gap_px, reference.height + k_sheet_header_px, {200, 200, 200});
     for (int y = 0; y < reference.height; ++y)
         for (int x = 0; x < reference.width; ++x) {
             const Rgb a = reference.at(x, y), b = other.at(x, y);
             // A root makes small differences visible: 1 of 255 gives 16.
             const auto shade = static_cast<std::uint8_t>(
                 255 - std::lround(255.0 * std::sqrt(distance(a, b) / 255.0)));
-            sheet.set(x, y, a);
-            sheet.set(x + reference.width + gap, y, b);
-            sheet.set(x + 2 * (reference.width + gap), y, {shade, shade, shade});
+            sheet.set(x, y + k_sheet_header_px, a);
+            sheet.set(x + stride, y + k_sheet_header_px, b);
+            sheet.set(x + 2 * stride, y + k_sheet_header_px, {shade, shade, shade});
         }
+    TextPainter text;
+    int x = 0;
+    for (const char* name : {"reference", "new", "difference"}) {
+        text.draw(sheet, x + k_sheet_gap_px, 0.7 * k_sheet_header_px, name, {});
+        x += stride;
+    }
     return sheet;
 }
 
