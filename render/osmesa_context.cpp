@@ -24,6 +24,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkVersion.h>
 
 #include <algorithm>
 #include <array>
@@ -169,7 +170,7 @@ void OsmesaContext::draw(vtkActor* actor, const Camera& camera, double reach_um,
 
     read_colours(buffers);
     buffers.depth_range_um = 2.0 * reach_um;
-    buffers.depth.resize(buffers.rgb.size() / 3);
+    buffers.depth.resize(buffers.rgba.size() / 4);
     glReadPixels(0, 0, h.width, h.height, GL_DEPTH_COMPONENT, GL_FLOAT, buffers.depth.data());
 }
 
@@ -177,10 +178,24 @@ void OsmesaContext::read_colours(Buffers& buffers) {
     Hidden& h = *hidden_;
     buffers.width = h.width;
     buffers.height = h.height;
-    buffers.rgb.resize(3 * static_cast<std::size_t>(h.width) * static_cast<std::size_t>(h.height));
+    buffers.rgba.resize(4 * static_cast<std::size_t>(h.width) * static_cast<std::size_t>(h.height));
     h.window->GetRenderFramebuffer()->Bind();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, h.width, h.height, GL_RGB, GL_UNSIGNED_BYTE, buffers.rgb.data());
+    glReadPixels(0, 0, h.width, h.height, GL_RGBA, GL_UNSIGNED_BYTE, buffers.rgba.data());
+}
+
+std::string OsmesaContext::description() {
+    hidden_->mesa.make_current();
+    const auto text = [](GLenum name) {
+        const GLubyte* words = glGetString(name);
+        return words == nullptr ? std::string("?") : reinterpret_cast<const char*>(words);
+    };
+    // "4.5 (Core Profile) Mesa 22.3.6"
+    const std::string version = text(GL_VERSION);
+    const std::size_t mesa = version.find("Mesa ");
+    return text(GL_RENDERER) + ", " +
+           (mesa == std::string::npos ? "OpenGL " + version : version.substr(mesa)) + ", VTK " +
+           vtkVersion::GetVTKVersion();
 }
 
 void OsmesaContext::lend(const Work& work) {
@@ -222,9 +237,9 @@ void OsmesaContext::probe() {
     const int row = h.height / 2;
     const auto pixel = [&](int column) {
         const std::size_t i =
-            3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(h.width) +
+            4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(h.width) +
                  static_cast<std::size_t>(column));
-        return std::array<int, 3>{seen.rgb[i], seen.rgb[i + 1], seen.rgb[i + 2]};
+        return std::array<int, 3>{seen.rgba[i], seen.rgba[i + 1], seen.rgba[i + 2]};
     };
     const int reach = std::max(1, std::min(h.width, h.height) / 4);
     const auto left = pixel(h.width / 2 - reach), right = pixel(h.width / 2 + reach);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkActor;
@@ -16,9 +17,11 @@ namespace spheroscope::render {
 /// What the graphics library drew: rows from the bottom.
 struct Buffers {
     int width = 0, height = 0;
-    std::vector<std::uint8_t> rgb;  ///< [height * width * 3]
-    std::vector<float> depth;       ///< [height * width] 0 near ... 1 far, 1: nothing there; linear
-    double depth_range_um = 0.0;    ///< distance between depth 0 and depth 1
+    /// [height * width * 4]; as Mesa keeps it, so that reading is copying. The fourth byte means
+    /// nothing.
+    std::vector<std::uint8_t> rgba;
+    std::vector<float> depth;     ///< [height * width] 0 near ... 1 far, 1: nothing there; linear
+    double depth_range_um = 0.0;  ///< distance between depth 0 and depth 1
 };
 
 /// Draws VTK actors into memory through OSMesa (Mesa's software renderer), without a display.
@@ -41,6 +44,9 @@ class OsmesaContext {
     /// tools (charts). What it adds to the renderer it also removes.
     using Work = std::function<void(vtkRenderWindow*, vtkRenderer*)>;
     void lend(const Work& work);
+    /// What draws: "llvmpipe (LLVM 15.0.6, 256 bits), Mesa 22.3.6, VTK 9.1.0". Pictures are the
+    /// same bits where this is the same text.
+    [[nodiscard]] std::string description();
     /// Colours of what was rendered last.
     void read_colours(Buffers& buffers);
 

@@ -19,7 +19,6 @@ namespace spheroscope::render {
 
 namespace {
 
-constexpr int k_n_samples = 2;           // drawn pixels along each side of a final one
 constexpr double k_filled_share = 0.87;  // of the picture's height by the aggregate's extent
 constexpr int k_smallest_side = 64, k_largest_side = 4096;
 
@@ -98,6 +97,7 @@ struct Renderer::Hidden {
     scene::Picture picture;
     int field_index = -1;
     const Field* field = nullptr;
+    int n_samples;          // drawn pixels along each side of a final one
     OsmesaContext context;  // before the layers: they are destroyed first
     CellSurfaces surfaces;
     std::unique_ptr<ForceNetwork> network;
@@ -108,7 +108,8 @@ struct Renderer::Hidden {
         : header(std::move(run)), picture(wanted),
           field_index(find_picture_field(*header, picture)),
           field(field_index < 0 ? nullptr : header->fields[static_cast<std::size_t>(field_index)]),
-          context(k_n_samples * picture.size_px[0], k_n_samples * picture.size_px[1]) {
+          n_samples(picture.smooth ? 2 : 1),
+          context(n_samples * picture.size_px[0], n_samples * picture.size_px[1]) {
         if (picture.network) {
             const double sum =
                 std::accumulate(header->radius_um.begin(), header->radius_um.end(), 0.0);
@@ -118,12 +119,12 @@ struct Renderer::Hidden {
 
     /// Cells that are drawn: all, or with the cutaway those whose centre is not on the near side of
     /// the plane that faces the eye in the middle of the aggregate.
-    [[nodiscard]] std::vector<int> drawn_cells(const Snapshot& snapshot,
-                                               const Camera& camera) const {
+    [[nodiscard]] std::vector<int> drawn_cells(const Snapshot& snapshot, const Camera& camera,
+                                               bool cutaway) const {
         std::vector<int> cells;
         for (int c = 0; c < header->n_cells; ++c) {
             const Vec3 centre = point(snapshot.centre_um, static_cast<std::size_t>(c));
-            if (!picture.cutaway || camera.project(centre).nearness_um <= 0.0) cells.push_back(c);
+            if (!cutaway || camera.project(centre).nearness_um <= 0.0) cells.push_back(c);
         }
         return cells;
     }
@@ -140,7 +141,7 @@ struct Renderer::Hidden {
     /// Colours the drawn cells; plain tints where no field is shown.
     void colour_cells(const Snapshot& snapshot, const std::vector<int>& cells,
                       Furniture& furniture);
-    void draw_network(const Snapshot& snapshot, const Camera& camera, double reach_um,
+    void draw_network(const Snapshot& snapshot, const Camera& camera, double reach_um, bool cutaway,
                       Furniture& furniture);
 };
 
@@ -162,12 +163,12 @@ void Renderer::Hidden::colour_cells(const Snapshot& snapshot, const std::vector<
 }
 
 void Renderer::Hidden::draw_network(const Snapshot& snapshot, const Camera& camera, double reach_um,
-                                    Furniture& furniture) {
+                                    bool cutaway, Furniture& furniture) {
     furniture.network = network->update(snapshot);
     context.draw(network->actor(), camera, reach_um, network_drawn);
     // With the near half taken away the network stands free in it, and the hidden rest is a hint
     // only.
-    add_network(cells_drawn, network_drawn, picture.cutaway ? 0.25 : 0.65);
+    add_network(cells_drawn, network_drawn, cutaway ? 0.25 : 0.65);
 }
 
 Renderer::Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture) {
@@ -183,9 +184,9 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
                        "the snapshot belongs to the renderer's run");
     const Camera final_camera = camera(snapshot, view);
     Camera drawn_camera = final_camera;
-    drawn_camera.px_per_um *= k_n_samples;
-    drawn_camera.centre_x_px *= k_n_samples;
-    drawn_camera.centre_y_px *= k_n_samples;
+    drawn_camera.px_per_um *= h.n_samples;
+    drawn_camera.centre_x_px *= h.n_samples;
+    drawn_camera.centre_y_px *= h.n_samples;
     const double reach_um = 1.05 * aggregate_extent_um(snapshot);
 
     Furniture furniture;
@@ -205,10 +206,11 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
         h.field != nullptr && !view.range && h.picture.range != "given";
     furniture.paleness = draws_network ? k_paleness_behind_network : 0.0;
 
-    h.colour_cells(snapshot, h.drawn_cells(snapshot, final_camera), furniture);
+    const bool cutaway = view.cutaway.value_or(h.picture.cutaway);
+    h.colour_cells(snapshot, h.drawn_cells(snapshot, final_camera, cutaway), furniture);
     h.context.draw(h.surfaces.actor(), drawn_camera, reach_um, h.cells_drawn);
-    if (draws_network) h.draw_network(snapshot, drawn_camera, reach_um, furniture);
-    Image image = make_image(h.cells_drawn, k_n_samples, drawn_camera.px_per_um);
+    if (draws_network) h.draw_network(snapshot, drawn_camera, reach_um, cutaway, furniture);
+    Image image = make_image(h.cells_drawn, h.n_samples, drawn_camera.px_per_um);
     draw_furniture(image, h.text, furniture);
     return image;
 }
@@ -216,9 +218,10 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
 Camera Renderer::camera(const Snapshot& snapshot, const View& view) const {
     const Hidden& h = *hidden_;
     const int width = h.picture.size_px[0], height = h.picture.size_px[1];
-    Camera camera = make_camera(aggregate_centre_um(snapshot),
-                                h.picture.azimuth_deg + view.progress * h.picture.orbit_deg,
-                                h.picture.elevation_deg);
+    Camera camera =
+        make_camera(aggregate_centre_um(snapshot),
+                    h.picture.azimuth_deg + view.turned_deg + view.progress * h.picture.orbit_deg,
+                    h.picture.elevation_deg);
     const double free_width = width - key_column_px(height, h.field != nullptr, h.picture.network);
     const double radius_um =
         view.fit_radius_um ? *view.fit_radius_um : aggregate_extent_um(snapshot);
@@ -227,6 +230,8 @@ Camera Renderer::camera(const Snapshot& snapshot, const View& view) const {
     camera.centre_y_px = 0.5 * height + 8.0 * writing_scale(height);  // room for the title
     return camera;
 }
+
+std::string Renderer::drawn_with() { return hidden_->context.description(); }
 
 const Field* Renderer::field() const { return hidden_->field; }
 

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace spheroscope::render {
 
@@ -22,7 +23,9 @@ struct View {
     std::optional<double> fit_radius_um;
     /// Unset: the scene's given range, or the range of this frame.
     std::optional<Range> range;
-    double progress = 0.0;  ///< 0..1 through the movie: how far the view has turned
+    double progress = 0.0;    ///< 0..1 through the movie: how far the picture's orbit has turned
+    double turned_deg = 0.0;  ///< besides: by the shots of a movie
+    std::optional<bool> cutaway;  ///< unset: the picture's
     int time_decimals = 1;
 };
 
@@ -46,6 +49,8 @@ class Renderer {
 
     /// The view of that picture: where a point of space is in it.
     [[nodiscard]] Camera camera(const Snapshot& snapshot, const View& view) const;
+    /// OsmesaContext::description of what draws here.
+    [[nodiscard]] std::string drawn_with();
     /// The field that is shown; nullptr for plain cells. Its index in Snapshot::fields:
     /// field_index().
     [[nodiscard]] const Field* field() const;

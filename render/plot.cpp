@@ -194,11 +194,11 @@ void write_svg(vtkRenderWindow* window, vtkRenderer* renderer, const std::filesy
 
 Image image_of(const Buffers& buffers) {
     Image image(buffers.width, buffers.height);
-    const auto row_bytes = static_cast<std::size_t>(3 * buffers.width);
-    for (int y = 0; y < buffers.height; ++y)
-        std::copy_n(buffers.rgb.begin() +
-                        static_cast<std::ptrdiff_t>(row_bytes) * (buffers.height - 1 - y),
-                    row_bytes, image.rgb.begin() + static_cast<std::ptrdiff_t>(row_bytes) * y);
+    for (int y = 0; y < buffers.height; ++y) {
+        const std::uint8_t* in =
+            buffers.rgba.data() + std::ptrdiff_t{4} * buffers.width * (buffers.height - 1 - y);
+        for (int x = 0; x < buffers.width; ++x, in += 4) image.set(x, y, {in[0], in[1], in[2]});
+    }
     return image;
 }
 

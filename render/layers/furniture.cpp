@@ -100,8 +100,10 @@ double Writer::colour_bar(double x, double y_top, double height, const Furniture
     for (int k = 0; k < n_slices; ++k) {
         const double from = bottom - height * (k + 1) / n_slices;
         // the slices overlap by one, so that no background shines through between them
+        const double value =
+            std::lerp(furniture.range.low, furniture.range.high, (k + 0.5) / n_slices);
         fill_rectangle(image_, x, from, right, std::min(bottom, from + 2.0 * height / n_slices),
-                       pale(map.at((k + 0.5) / n_slices)));
+                       pale(map.at(map_position(field.range, furniture.range, value))));
     }
     if (furniture.range.low < 0.0 || furniture.count.n_below > 0)
         fill_tip(image_, x, right, bottom, bottom + tip, pale(map.below()));
@@ -114,6 +116,10 @@ double Writer::colour_bar(double x, double y_top, double height, const Furniture
         const double at = bottom - share * height;
         fill_rectangle(image_, right, at - scaled(0.75), right + scaled(6.0), at + scaled(0.75),
                        k_ink);
+        // In a low picture there is room for every second or third label; zero always has one.
+        const double apart_px = height * step / (furniture.range.high - furniture.range.low);
+        const int every = std::max(1, static_cast<int>(std::ceil(scaled(k_text) / apart_px)));
+        if (std::lround(value / step) % every != 0) continue;
         line(right + scaled(12.0), at + scaled(0.36 * k_text), tick_text(value, step));
     }
 
@@ -202,7 +208,8 @@ void draw_furniture(Image& image, TextPainter& text, const Furniture& furniture)
     y = scaled(k_margin);
     if (furniture.field != nullptr) {
         // what is left of the column below the heading and above the entries of the keys
-        const double height = image.height - scaled(furniture.network ? 500.0 : 330.0);
+        const double height =
+            std::max(scaled(60.0), image.height - scaled(furniture.network ? 500.0 : 330.0));
         y = writer.colour_bar(x, y, height, furniture) + scaled(12.0);
     } else {
         y += scaled(k_text);

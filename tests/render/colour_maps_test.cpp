@@ -1,7 +1,9 @@
 #include "render/colour_maps.hpp"
+#include "render/layers/colouring.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -65,6 +67,44 @@ TEST(ColourMap, CompressionAndTensionStayApartWithoutGreenReceptors) {
         const Oklab red = to_oklab(as_deuteranope_sees(map.at(0.5 + 0.5 * strength)));
         EXPECT_GT(distance(blue, red), 0.15 * strength) << "0.02 is a just visible difference";
     }
+}
+
+TEST(ColourMap, EveryTenthOfAMapStaysApartWithoutGreenReceptors) {
+    for (const ColourMap* map : {&ColourMap::diverging(), &ColourMap::sequential()})
+        for (int i = 0; i <= 10; ++i)
+            for (int k = 0; k < i; ++k) {
+                const Oklab one = to_oklab(as_deuteranope_sees(map->at(i / 10.0)));
+                const Oklab other = to_oklab(as_deuteranope_sees(map->at(k / 10.0)));
+                EXPECT_GT(distance(one, other), 0.04)
+                    << k << " and " << i << " tenths; 0.02 is a just visible difference";
+            }
+}
+
+TEST(ColourMap, MarksAndTheGreyOfNothingStayApartFromTheMapWithoutGreenReceptors) {
+    for (const ColourMap* map : {&ColourMap::diverging(), &ColourMap::sequential()})
+        for (const Rgb mark : {map->below(), map->above(), k_absent_colour})
+            for (int k = 0; k <= 256; ++k)
+                EXPECT_GT(distance(to_oklab(as_deuteranope_sees(mark)),
+                                   to_oklab(as_deuteranope_sees(map->at(k / 256.0)))),
+                          0.03)
+                    << k;
+}
+
+TEST(ColourMap, OfASignedFieldHasItsMiddleAtZeroInEveryRange) {
+    using enum RangeKind;
+    for (const Range range : {Range{-80.0, 80.0}, Range{-100.0, 300.0}, Range{-300.0, 20.0}}) {
+        EXPECT_DOUBLE_EQ(map_position(signed_about_zero, range, 0.0), 0.5);
+        const double half = std::max(-range.low, range.high);
+        EXPECT_DOUBLE_EQ(map_position(signed_about_zero, range, 10.0), 0.5 + 5.0 / half);
+        EXPECT_DOUBLE_EQ(map_position(signed_about_zero, range, -10.0), 0.5 - 5.0 / half)
+            << "equal sizes have equal strength on both sides";
+        EXPECT_LT(map_position(signed_about_zero, range, range.low - 1.0), 0.0);
+        EXPECT_GT(map_position(signed_about_zero, range, range.high + 1.0), 1.0);
+    }
+    EXPECT_EQ(map_position(signed_about_zero, {-100.0, 300.0}, 300.0), 1.0);
+    EXPECT_EQ(map_position(magnitude, {0.2, 0.6}, 0.2), 0.0);
+    EXPECT_EQ(map_position(magnitude, {0.2, 0.6}, 0.6), 1.0);
+    EXPECT_EQ(map_position(magnitude, {0.2, 0.6}, 0.6 + 1e-9), 1.0) << "float32 noise is inside";
 }
 
 TEST(ColourMap, MarksOfAbsentAndOutsideValuesAreColoursThatTheMapDoesNotHave) {
