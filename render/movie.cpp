@@ -1,6 +1,8 @@
 #include "render/movie.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/measures/totals.hpp"
+#include "render/movie_frames.hpp"
 #include "render/movie_writer.hpp"
 #include "render/picture.hpp"
 #include "render/png.hpp"
@@ -10,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <exception>
@@ -117,12 +120,16 @@ Survey survey_frames(FrameSource& frames, const scene::Picture& picture) {
         throw Error("a movie wants at least one frame, the run has none",
                     "was the run stopped before its first output?");
     Survey survey;
+    const TotalsRow* const plotted = find_total(picture.plot);
     std::vector<double> extent_um;
     std::optional<RangeFinder> finder;
     double last_time_s = -std::numeric_limits<double>::infinity();
     double smallest_interval_s = std::numeric_limits<double>::infinity();
     for (int i = 0; i < n_frames; ++i) {
         const SnapshotPtr snapshot = frames.frame(i);
+        survey.time_s.push_back(snapshot->time_s);
+        survey.stage_names.push_back(snapshot->stage_name);
+        if (plotted != nullptr) survey.plotted.push_back(value_of(*plotted, snapshot->totals));
         extent_um.push_back(aggregate_extent_um(*snapshot));
         const int field = find_picture_field(*snapshot->header, picture);
         if (field >= 0) {
@@ -145,37 +152,111 @@ Survey survey_frames(FrameSource& frames, const scene::Picture& picture) {
     return survey;
 }
 
-MovieResult make_movie(FrameSource& frames, const MovieSettings& settings) {
+namespace {
+
+/// One range and one scale for two runs; each keeps its times, stages and curve.
+void unite(Survey& first, Survey& other, const std::vector<int>& beside, bool is_of_frames) {
+    if (!is_of_frames) {
+        const Range range{std::min(first.range.low, other.range.low),
+                          std::max(first.range.high, other.range.high)};
+        first.range = other.range = range;
+        // The wider range holds what each one's own range held.
+        first.share_outside = std::max(first.share_outside, other.share_outside);
+    }
+    first.time_decimals = other.time_decimals = std::max(first.time_decimals, other.time_decimals);
+    for (std::size_t i = 0; i < beside.size(); ++i)
+        first.fit_radius_um[i] = std::max(first.fit_radius_um[i],
+                                          other.fit_radius_um[static_cast<std::size_t>(beside[i])]);
+}
+
+/// A chapter for each stage, beginning with its first picture.
+std::vector<MovieWriter::Chapter> chapters(const Survey& survey,
+                                           const std::vector<MovieFrame>& pictures) {
+    std::vector<MovieWriter::Chapter> result;
+    std::string current;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const std::string& stage = survey.stage_names[static_cast<std::size_t>(pictures[i].frame)];
+        if (!result.empty() && stage == current) continue;
+        current = stage;
+        result.push_back({static_cast<int>(i), stage});
+    }
+    return result;
+}
+
+std::string range_text(const scene::Picture& picture, const Survey& survey,
+                       const RunHeader& header) {
+    const int field = find_picture_field(header, picture);
+    if (field < 0) return "";
+    const std::string_view unit = header.fields[static_cast<std::size_t>(field)]->shown_unit;
+    if (picture.range == "frame") return fmt::format("; {} of each frame", picture.field);
+    return fmt::format("; {} {:g} to {:g} {}", picture.field, survey.range.low, survey.range.high,
+                       unit);
+}
+
+MovieWriter::Settings writer_settings(const MovieSettings& settings, const Survey& survey,
+                                      const std::vector<MovieFrame>& pictures,
+                                      const RunHeader& header, const RunHeader* beside,
+                                      std::array<int, 2> size_px) {
+    MovieWriter::Settings result;
+    result.path = settings.movie_path;
+    result.width_px = size_px[0];
+    result.height_px = size_px[1];
+    result.fps = settings.picture.fps;
+    result.title = header.title.empty() ? header.scene_name : header.title;
+    result.comment =
+        fmt::format("spheroscope {}; scene {}; seed {}; frames {} to {}{}", settings.drawn_by,
+                    header.scene_name, header.seed, pictures.front().frame, pictures.back().frame,
+                    range_text(settings.picture, survey, header));
+    if (beside != nullptr)
+        result.comment +=
+            fmt::format("; beside it: scene {}; seed {}", beside->scene_name, beside->seed);
+    result.description = header.resolved_scene;
+    result.chapters = chapters(survey, pictures);
+    result.n_pictures = static_cast<int>(pictures.size());
+    return result;
+}
+
+MovieResult make_movie_of(std::span<FrameSource* const> runs, const MovieSettings& settings) {
     const scene::Picture& picture = settings.picture;
     check_movie_size(picture.size_px[0], picture.size_px[1]);
-    const Survey survey = survey_frames(frames, picture);
+    std::vector<Survey> surveys;
+    for (FrameSource* run : runs) surveys.push_back(survey_frames(*run, picture));
+    std::vector<int> beside;
+    if (runs.size() == 2) {
+        beside = frames_beside(surveys[0].time_s, surveys[1].time_s);
+        unite(surveys[0], surveys[1], beside, picture.range == "frame");
+    }
+    const std::vector<MovieFrame> pictures = movie_frames(picture, surveys[0].time_s);
+    if (pictures.empty())
+        throw Error(picture.loc, "picture.shots show nothing of this run",
+                    fmt::format("its first frame is at {:g} s", surveys[0].time_s[0]));
     MovieResult result;
-    result.n_frames = frames.n_frames();
-    result.range = survey.range;
+    result.n_frames = static_cast<int>(pictures.size());
+    result.range = surveys[0].range;
     result.share_outside =
-        picture.range == "frame" ? 2.0 * RangeFinder::k_share_beyond : survey.share_outside;
+        picture.range == "frame" ? 2.0 * RangeFinder::k_share_beyond : surveys[0].share_outside;
 
-    const SnapshotPtr first = frames.frame(0);
     std::error_code error;
-    fs::create_directories(settings.frames_folder, error);
+    if (settings.keeps_pictures) fs::create_directories(settings.frames_folder, error);
     if (!error && settings.movie_path.has_parent_path())
         fs::create_directories(settings.movie_path.parent_path(), error);
     if (error)
         throw Error("the folder " + settings.frames_folder.string() +
                     " cannot be made: " + error.message());
-    remove_left_overs(settings.frames_folder, result.n_frames);
+    if (settings.keeps_pictures) remove_left_overs(settings.frames_folder, result.n_frames);
 
-    // Made when the first picture has to be drawn: a movie that is only put together needs no
-    // OpenGL.
-    std::unique_ptr<Renderer> renderer;
+    // Renderers are made when the first picture has to be drawn: a movie that is only put together
+    // needs no OpenGL.
+    MoviePainter painter(runs, surveys, picture, settings.drawn_by);
     MovieOrReason movie;
     movie.attempt([&] {
-        movie.writer = std::make_unique<MovieWriter>(MovieWriter::Settings{
-            settings.movie_path, picture.size_px[0], picture.size_px[1], picture.fps,
-            first->header->title.empty() ? first->header->scene_name : first->header->title,
-            fmt::format("spheroscope {}; scene {}; seed {}", settings.drawn_by,
-                        first->header->scene_name, first->header->seed)});
+        const SnapshotPtr first = runs[0]->frame(0);
+        const SnapshotPtr other = runs.size() == 2 ? runs[1]->frame(0) : nullptr;
+        movie.writer = std::make_unique<MovieWriter>(
+            writer_settings(settings, surveys[0], pictures, *first->header,
+                            other ? other->header.get() : nullptr, painter.size_px()));
     });
+    if (!settings.keeps_pictures && movie.reason) std::rethrow_exception(movie.reason);
 
     WorkQueue files(2);  // compressing a picture takes half as long as drawing it
     for (int i = 0; i < result.n_frames; ++i) {
@@ -183,23 +264,34 @@ MovieResult make_movie(FrameSource& frames, const MovieSettings& settings) {
             result.stopped = true;
             break;
         }
-        const SnapshotPtr snapshot = frames.frame(i);
-        View view;
-        view.fit_radius_um = survey.fit_radius_um[static_cast<std::size_t>(i)];
-        view.progress = result.n_frames > 1 ? static_cast<double>(i) / (result.n_frames - 1) : 0.0;
-        view.time_decimals = survey.time_decimals;
-        if (picture.range != "frame") view.range = survey.range;
+        const MovieFrame& wanted = pictures[static_cast<std::size_t>(i)];
+        MoviePainter::Shown shown;
+        shown.frame = wanted.frame;
+        shown.view.fit_radius_um = surveys[0].fit_radius_um[static_cast<std::size_t>(wanted.frame)];
+        shown.view.progress = wanted.progress;
+        shown.view.turned_deg = wanted.turned_deg;
+        shown.view.cutaway = wanted.cutaway;
+        shown.view.time_decimals = surveys[0].time_decimals;
+        if (picture.range != "frame") shown.view.range = surveys[0].range;
+        std::vector<MoviePainter::Shown> all{shown};
+        if (runs.size() == 2) {
+            all.push_back(shown);
+            all[1].frame = beside[static_cast<std::size_t>(wanted.frame)];
+        }
 
         const fs::path path = picture_path(settings.frames_folder, i);
-        PngTexts texts = make_provenance(*snapshot, picture, view, settings.drawn_by);
-        std::optional<Image> image = find_picture(path, texts[k_fingerprint_key]);
+        PngTexts texts = painter.texts(all);
+        std::optional<Image> image;
+        if (settings.keeps_pictures) image = find_picture(path, texts[k_fingerprint_key]);
         if (!image) {
-            if (!renderer) renderer = std::make_unique<Renderer>(snapshot->header, picture);
-            image = renderer->render(*snapshot, view);
+            image = painter.paint(all);
+            texts[k_drawn_with_key] = painter.drawn_with();
             ++result.n_drawn;
-            files.add([path, copy = *image, texts] { write_png(path, copy, texts); });
+            if (settings.keeps_pictures)
+                files.add([path, copy = *image, texts] { write_png(path, copy, texts); });
         }
         if (movie.writer) movie.attempt([&] { movie.writer->add(std::move(*image)); });
+        if (!settings.keeps_pictures && movie.reason) std::rethrow_exception(movie.reason);
         if (settings.on_progress) settings.on_progress(i + 1, result.n_frames);
     }
     files.finish();
@@ -207,6 +299,19 @@ MovieResult make_movie(FrameSource& frames, const MovieSettings& settings) {
     if (movie.writer) movie.attempt([&] { movie.writer->finish(); });
     if (movie.reason) std::rethrow_exception(movie.reason);
     return result;
+}
+
+}  // namespace
+
+MovieResult make_movie(FrameSource& frames, const MovieSettings& settings) {
+    FrameSource* const runs[]{&frames};
+    return make_movie_of(runs, settings);
+}
+
+MovieResult make_comparison(FrameSource& frames, FrameSource& other,
+                            const MovieSettings& settings) {
+    FrameSource* const runs[]{&frames, &other};
+    return make_movie_of(runs, settings);
 }
 
 }  // namespace spheroscope::render

@@ -2,6 +2,7 @@
 
 #include "engine/scene/scene.hpp"
 #include "render/frame_source.hpp"
+#include "render/movie_painter.hpp"
 #include "render/range.hpp"
 
 #include <filesystem>
@@ -16,6 +17,7 @@ struct MovieSettings {
     scene::Picture picture;
     std::filesystem::path frames_folder;  ///< 000000.png, 000001.png ...; made if it is not there
     std::filesystem::path movie_path;     ///< the MP4
+    bool keeps_pictures = true;           ///< false: no PNGs, the movie only
     std::string drawn_by;                 ///< version of this program, for the files' texts
     std::function<void(int n_done, int n_frames)>
         on_progress;                       ///< after each picture; may be empty
@@ -23,7 +25,7 @@ struct MovieSettings {
 };
 
 struct MovieResult {
-    int n_frames = 0;
+    int n_frames = 0;          ///< pictures of the movie
     int n_drawn = 0;           ///< the others were there already, with the same fingerprint
     bool stopped = false;      ///< on request: the pictures so far are there, the movie is not
     Range range;               ///< of the whole movie; of nothing with range = "frame"
@@ -38,15 +40,9 @@ struct MovieResult {
 /// MovieWriter throw; no frames (usage). Without ffmpeg all pictures are made first, then the error
 /// (environment) is thrown.
 MovieResult make_movie(FrameSource& frames, const MovieSettings& settings);
-
-/// What the first pass finds.
-struct Survey {
-    Range range;
-    double share_outside = 0.0;
-    std::vector<double> fit_radius_um;  ///< for each frame
-    int time_decimals = 1;
-};
-[[nodiscard]] Survey survey_frames(FrameSource& frames, const scene::Picture& picture);
+/// The same of two runs side by side: one colour range, one scale, and beside each frame of the
+/// first that of the other which is not later. The picture's field must be in both.
+MovieResult make_comparison(FrameSource& frames, FrameSource& other, const MovieSettings& settings);
 
 /// The radius that each frame is scaled to, from the extents of all frames. Constant (the largest)
 /// while the extents differ by less than a fifth; else it follows them smoothly over about two

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cmath>
 #include <condition_variable>
 #include <csignal>
 #include <cstring>
@@ -55,10 +56,13 @@ class Descriptor {
     int number_;
 };
 
+constexpr int k_metadata_number = 3;  // in ffmpeg, after its standard ones
+
 /// The ffmpeg process: takes frames on its standard input; what it complains of is kept in memory.
 class Encoder {
   public:
-    explicit Encoder(const std::vector<std::string>& arguments);
+    /// `metadata` is what the process reads from its descriptor 3.
+    Encoder(const std::vector<std::string>& arguments, const std::string& metadata);
     ~Encoder();
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
@@ -74,8 +78,12 @@ class Encoder {
     pid_t process_ = -1;
 };
 
-Encoder::Encoder(const std::vector<std::string>& arguments)
+Encoder::Encoder(const std::vector<std::string>& arguments, const std::string& metadata)
     : complaint_(memfd_create("ffmpeg-messages", MFD_CLOEXEC)) {
+    const Descriptor metadata_file(memfd_create("ffmpeg-metadata", MFD_CLOEXEC));
+    if (pwrite(metadata_file.number(), metadata.data(), metadata.size(), 0) !=
+        static_cast<ssize_t>(metadata.size()))
+        throw no_movie(std::string("no memory for its texts: ") + std::strerror(errno));
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         throw no_movie(std::string("no socket: ") + std::strerror(errno));
@@ -87,6 +95,8 @@ Encoder::Encoder(const std::vector<std::string>& arguments)
     posix_spawn_file_actions_adddup2(&actions, child_input.number(), STDIN_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, complaint_.number(), STDERR_FILENO);
+    // last: descriptor 3 may be one of those above
+    posix_spawn_file_actions_adddup2(&actions, metadata_file.number(), k_metadata_number);
     // Ctrl-C goes to the whole foreground group; the program stops ffmpeg itself, in its own time.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
@@ -150,22 +160,61 @@ std::vector<std::string> ffmpeg_arguments(const MovieWriter::Settings& s,
     return {
         "ffmpeg", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24",
         "-video_size", fmt::format("{}x{}", s.width_px, s.height_px), "-framerate",
-        fmt::format("{:g}", s.fps), "-i", "pipe:0", "-an",
+        fmt::format("{:g}", s.fps), "-i", "pipe:0", "-f", "ffmetadata", "-i",
+        fmt::format("pipe:{}", k_metadata_number), "-map", "0:v", "-map_metadata", "1",
+        "-map_chapters", "1", "-an",
         // the colours of the bar must survive: say which matrix was used, and use that of HD video
         "-vf", "scale=out_color_matrix=bt709:out_range=tv", "-colorspace", "bt709",
         "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv", "-c:v", "libx264",
-        "-preset", "veryfast", "-crf", "17", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
-        "-metadata", "title=" + s.title, "-metadata", "comment=" + s.comment, "-f", "mp4",
-        output.string()};
+        "-preset", "veryfast", "-crf", "17", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",
+        "mp4", output.string()};
 }
 
+/// Each writer has a name of its own: the ffmpeg of a program that was killed may still be busy.
 std::filesystem::path partial_path(const std::filesystem::path& path) {
     std::filesystem::path partial = path;
-    partial += ".partial";
+    partial += fmt::format(".{}.partial", getpid());
     return partial;
 }
 
+/// Removes what movies of that name have left that were killed: "main.mp4.1234.partial".
+void remove_left_overs(const std::filesystem::path& path) {
+    const std::string begin = path.filename().string() + ".";
+    std::error_code ignored;
+    std::vector<std::filesystem::path> unwanted;
+    for (const auto& entry : std::filesystem::directory_iterator(
+             path.has_parent_path() ? path.parent_path() : ".", ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(begin) && name.ends_with(".partial")) unwanted.push_back(entry.path());
+    }
+    for (const auto& name : unwanted) std::filesystem::remove(name, ignored);
+}
+
+/// "=", ";", "#", "\\" and the end of a line mean something in ffmetadata.
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '=' || c == ';' || c == '#' || c == '\\' || c == '\n') result += '\\';
+        result += c;
+    }
+    return result;
+}
+
 }  // namespace
+
+std::string metadata_text(const MovieWriter::Settings& s) {
+    std::string text = ";FFMETADATA1\n";
+    for (const auto& [key, value] : {std::pair{"title", &s.title}, std::pair{"comment", &s.comment},
+                                     std::pair{"description", &s.description}})
+        if (!value->empty()) text += fmt::format("{}={}\n", key, escaped(*value));
+    const auto ms = [&](int picture) { return std::lround(1000.0 * picture / s.fps); };
+    for (std::size_t i = 0; i < s.chapters.size(); ++i) {
+        const int end = i + 1 < s.chapters.size() ? s.chapters[i + 1].first_picture : s.n_pictures;
+        text += fmt::format("[CHAPTER]\nTIMEBASE=1/1000\nSTART={}\nEND={}\ntitle={}\n",
+                            ms(s.chapters[i].first_picture), ms(end), escaped(s.chapters[i].title));
+    }
+    return text;
+}
 
 void check_movie_size(int width_px, int height_px) {
     if (width_px % 2 != 0 || height_px % 2 != 0)
@@ -187,8 +236,8 @@ struct MovieWriter::Hidden {
     std::thread feeder;
 
     explicit Hidden(const Settings& s)
-        : settings(s), partial(partial_path(s.path)), encoder(ffmpeg_arguments(s, partial)),
-          feeder([this] { feed(); }) {}
+        : settings(s), partial(partial_path(s.path)),
+          encoder(ffmpeg_arguments(s, partial), metadata_text(s)), feeder([this] { feed(); }) {}
 
     ~Hidden() {
         stop_feeder();
@@ -233,6 +282,7 @@ struct MovieWriter::Hidden {
 
 MovieWriter::MovieWriter(const Settings& settings) {
     check_movie_size(settings.width_px, settings.height_px);
+    remove_left_overs(settings.path);
     hidden_ = std::make_unique<Hidden>(settings);
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace spheroscope::render {
 
@@ -13,11 +14,18 @@ namespace spheroscope::render {
 /// it is written under a temporary name and renamed by `finish`.
 class MovieWriter {
   public:
+    /// A named part of the movie, from its first picture to that of the next chapter.
+    struct Chapter {
+        int first_picture = 0;
+        std::string title;
+    };
     struct Settings {
         std::filesystem::path path;
         int width_px = 0, height_px = 0;
         double fps = 30.0;
-        std::string title, comment;  ///< the file's metadata
+        std::string title, comment, description;  ///< the file's metadata
+        std::vector<Chapter> chapters;            ///< ascending; the first begins at picture 0
+        int n_pictures = 0;                       ///< where the last chapter ends
     };
 
     /// Throws Error: odd sizes (usage), no ffmpeg (environment).
@@ -39,6 +47,9 @@ class MovieWriter {
     struct Hidden;
     std::unique_ptr<Hidden> hidden_;
 };
+
+/// The metadata as ffmpeg reads it (its format ffmetadata): title, comment, description, chapters.
+[[nodiscard]] std::string metadata_text(const MovieWriter::Settings& settings);
 
 /// Throws Error (usage) unless both sides are even, which the movie's colour format needs.
 void check_movie_size(int width_px, int height_px);

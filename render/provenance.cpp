@@ -1,7 +1,11 @@
 #include "render/provenance.hpp"
 
-#include <fmt/format.h>
+#include "engine/base/error.hpp"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -46,22 +50,76 @@ std::string range_text(const scene::Picture& picture, const View& view) {
     return "of this frame";
 }
 
-std::string view_text(const scene::Picture& p, const View& view) {
-    return fmt::format("{} field={} {}x{} cutaway={} network={} azimuth={:.17g} elevation={:.17g} "
-                       "orbit={:.17g} at {:.17g} fit={:.17g} decimals={} range={}",
-                       p.name, p.field, p.size_px[0], p.size_px[1], p.cutaway, p.network,
-                       p.azimuth_deg, p.elevation_deg, p.orbit_deg, view.progress,
-                       view.fit_radius_um.value_or(0.0), view.time_decimals, range_text(p, view));
+}  // namespace
+
+std::string description_text(const scene::Picture& p, const View& view) {
+    // Frames in a second, and the shots, decide which pictures there are, not what is in them.
+    nlohmann::json json{{"name", p.name},
+                        {"field", p.field},
+                        {"size", p.size_px},
+                        {"range", p.range},
+                        {"given_range", p.given_range},
+                        {"cutaway", p.cutaway},
+                        {"network", p.network},
+                        {"azimuth", p.azimuth_deg},
+                        {"elevation", p.elevation_deg},
+                        {"orbit", p.orbit_deg},
+                        {"smooth", p.smooth},
+                        {"plot", p.plot},
+                        {"progress", view.progress},
+                        {"turned", view.turned_deg},
+                        {"time_decimals", view.time_decimals}};
+    if (view.fit_radius_um) json["fit_radius"] = *view.fit_radius_um;
+    if (view.range) json["shown_range"] = std::array{view.range->low, view.range->high};
+    if (view.cutaway) json["shown_cutaway"] = *view.cutaway;
+    return json.dump();
 }
 
-}  // namespace
+Description parse_description(const std::string& text) {
+    Description result;
+    scene::Picture& p = result.picture;
+    View& view = result.view;
+    try {
+        const nlohmann::json json = nlohmann::json::parse(text);
+        json.at("name").get_to(p.name);
+        json.at("field").get_to(p.field);
+        json.at("size").get_to(p.size_px);
+        json.at("range").get_to(p.range);
+        json.at("given_range").get_to(p.given_range);
+        json.at("cutaway").get_to(p.cutaway);
+        json.at("network").get_to(p.network);
+        json.at("azimuth").get_to(p.azimuth_deg);
+        json.at("elevation").get_to(p.elevation_deg);
+        json.at("orbit").get_to(p.orbit_deg);
+        json.at("smooth").get_to(p.smooth);
+        json.at("plot").get_to(p.plot);
+        json.at("progress").get_to(view.progress);
+        json.at("turned").get_to(view.turned_deg);
+        json.at("time_decimals").get_to(view.time_decimals);
+        if (json.contains("fit_radius")) view.fit_radius_um = json["fit_radius"].get<double>();
+        if (json.contains("shown_range"))
+            view.range = Range{json["shown_range"].at(0).get<double>(),
+                               json["shown_range"].at(1).get<double>()};
+        if (json.contains("shown_cutaway")) view.cutaway = json["shown_cutaway"].get<bool>();
+    } catch (const nlohmann::json::exception& error) {
+        throw Error(std::string("the picture's description cannot be read: ") + error.what());
+    }
+    return result;
+}
+
+std::string join_fingerprints(const std::vector<std::string>& parts) {
+    if (parts.size() == 1) return parts.front();
+    CheckSum sum;
+    for (const std::string& part : parts) sum.add(part);
+    return sum.text();
+}
 
 std::string make_fingerprint(const Snapshot& snapshot, const scene::Picture& picture,
                              const View& view, const std::string& drawn_by) {
     CheckSum sum;
     const RunHeader& header = *snapshot.header;
     sum.add(drawn_by);
-    sum.add(view_text(picture, view));
+    sum.add(description_text(picture, view));
     sum.add(header.title);
     sum.add(header.scene_name);
     sum.add(header.resolved_scene);
@@ -95,7 +153,8 @@ PngTexts make_provenance(const Snapshot& snapshot, const scene::Picture& picture
     texts["Frame"] = fmt::format("{}", snapshot.frame);
     texts["Time"] = fmt::format("{:.17g} s", snapshot.time_s);
     texts["Stage"] = snapshot.stage_name;
-    texts["Picture"] = view_text(picture, view);
+    texts["Picture"] = picture.name;
+    texts[k_view_key] = description_text(picture, view);
     const int field = find_picture_field(header, picture);
     if (field >= 0)
         texts["Range"] = fmt::format("{} {} {}", picture.field, range_text(picture, view),

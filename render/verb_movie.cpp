@@ -3,9 +3,12 @@
 #include "engine/cli/progress.hpp"
 #include "engine/cli/simulate.hpp"
 #include "engine/cli/version.hpp"
+#include "render/image_diff.hpp"
 #include "render/movie.hpp"
+#include "render/png.hpp"
 #include "render/verb_pictures.hpp"
 #include "render/verbs.hpp"
+#include "render/verify.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -13,9 +16,13 @@
 #include <spdlog/spdlog.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace spheroscope {
 namespace {
@@ -25,6 +32,9 @@ namespace fs = std::filesystem;
 struct MovieArguments {
     std::string input;
     std::string picture;
+    std::string compare;  ///< file of the run beside it
+    std::string verify;   ///< picture to draw again
+    bool no_png = false;
     bool overwrite = false;
     cli::CommonOptions common;
 };
@@ -58,34 +68,44 @@ ExitCode interrupted() {
 
 /// Draws the wanted pictures of a run's file into `folder`.
 void draw(const RunFileReader& reader, const std::vector<scene::Picture>& pictures,
-          const fs::path& folder, bool quiet, MovieOutcome& outcome) {
+          const fs::path& folder, const MovieArguments& arguments, MovieOutcome& outcome) {
     const cli::InterruptGuard interrupts;
-    cli::Progress progress(cli::progress_style(quiet));
+    cli::Progress progress(cli::progress_style(arguments.common.quiet));
     StoredFrames frames(reader);
+    std::optional<RunFileReader> other_reader;
+    std::optional<StoredFrames> other;
+    if (!arguments.compare.empty()) {
+        other_reader.emplace(arguments.compare);
+        other.emplace(*other_reader);
+    }
     for (const scene::Picture& picture : pictures) {
         const auto begin = std::chrono::steady_clock::now();
         render::MovieSettings settings;
         settings.picture = picture;
-        settings.frames_folder = folder / "frames" / picture.name;
-        settings.movie_path = folder / (picture.name + ".mp4");
+        const std::string name = picture.name + (other ? "_compared" : "");
+        settings.frames_folder = folder / "frames" / name;
+        settings.movie_path = folder / (name + ".mp4");
+        settings.keeps_pictures = !arguments.no_png;
         settings.drawn_by = cli::version_text();
         settings.on_progress = [&](int n_done, int n_frames) {
             constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
             progress.update({"pictures", static_cast<double>(n_done) / n_frames, unknown, unknown});
         };
         settings.stop_requested = [&] { return interrupts.stop().load(); };
-        const render::MovieResult result = render::make_movie(frames, settings);
+        const render::MovieResult result = other ? render::make_comparison(frames, *other, settings)
+                                                 : render::make_movie(frames, settings);
         progress.clear();
         const double wall_s =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        outcome.document["movies"].push_back({{"picture", picture.name},
-                                              {"movie", settings.movie_path.string()},
-                                              {"frames_folder", settings.frames_folder.string()},
-                                              {"frames", result.n_frames},
-                                              {"drawn", result.n_drawn},
-                                              {"stopped", result.stopped},
-                                              {"share_outside_range", result.share_outside},
-                                              {"wall_s", wall_s}});
+        outcome.document["movies"].push_back(
+            {{"picture", picture.name},
+             {"movie", settings.movie_path.string()},
+             {"frames_folder", arguments.no_png ? "" : settings.frames_folder.string()},
+             {"frames", result.n_frames},
+             {"drawn", result.n_drawn},
+             {"stopped", result.stopped},
+             {"share_outside_range", result.share_outside},
+             {"wall_s", wall_s}});
         outcome.text += fmt::format("movie                {} ({} frames, {} drawn, {})\n",
                                     settings.movie_path.string(), result.n_frames, result.n_drawn,
                                     cli::duration_text(wall_s));
@@ -96,7 +116,108 @@ void draw(const RunFileReader& reader, const std::vector<scene::Picture>& pictur
     }
 }
 
+/// A folder that is gone at the end.
+class ScratchFolder {
+  public:
+    ScratchFolder() {
+        std::string name = (fs::temp_directory_path() / "spheroscope-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+            throw Error("no folder can be made in " + fs::temp_directory_path().string(), "",
+                        ExitCode::environment);
+        path_ = name;
+    }
+    ~ScratchFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
+/// The run that a picture was drawn from: beside a still, or two folders above a movie's picture.
+std::string run_of_picture(const fs::path& picture) {
+    const fs::path folder = fs::absolute(picture).parent_path();
+    for (const fs::path& candidate :
+         {folder / "run.h5", folder.parent_path().parent_path() / "run.h5"})
+        if (fs::exists(candidate)) return candidate.string();
+    return "";
+}
+
+/// Draws a picture again from what its file says, of a run that is there or is simulated anew.
+ExitCode verify(const MovieArguments& arguments, const cli::Invocation& invocation) {
+    const render::PngFile file = render::read_png(arguments.verify);
+    if (render::n_runs_shown(file.texts) != (arguments.compare.empty() ? 1 : 2))
+        throw Error(arguments.compare.empty() ? arguments.verify + " shows two runs side by side"
+                                              : arguments.verify + " shows one run",
+                    arguments.compare.empty() ? "name the other one with --compare"
+                                              : "leave --compare out");
+    std::string run_file =
+        arguments.input.empty() ? run_of_picture(arguments.verify) : arguments.input;
+    std::optional<ScratchFolder> scratch;
+    if (run_file.empty()) {
+        if (!file.texts.contains("Scene"))
+            throw Error(arguments.verify + ": the picture does not carry its scene",
+                        "pictures of movie and render do, unless another program has saved them "
+                        "anew");
+        scratch.emplace();
+        const cli::RunPlace place{scratch->path().string()};
+        spdlog::info("no run beside the picture: its own scene is simulated anew");
+        const auto name = file.texts.find("Scene name");
+        const scene::Scene scene = scene::parse_scene(
+            file.texts.at("Scene"), name == file.texts.end() ? "scene" : name->second);
+        const cli::SimulationSummary summary =
+            cli::simulate(scene, place, arguments.common, false, invocation);
+        if (!summary.result.message.empty()) spdlog::error("{}", summary.result.message);
+        if (summary.code == ExitCode::interrupted || summary.code == ExitCode::terminated)
+            return summary.code;
+        run_file = place.run_file();
+    }
+    const RunFileReader reader(run_file);
+    StoredFrames frames(reader);
+    std::vector<render::FrameSource*> runs{&frames};
+    std::optional<RunFileReader> other_reader;
+    std::optional<StoredFrames> other;
+    if (!arguments.compare.empty()) {
+        other_reader.emplace(arguments.compare);
+        other.emplace(*other_reader);
+        runs.push_back(&*other);
+    }
+    const render::Verification result = render::verify_picture(file, runs, cli::version_text());
+    const bool verified = result.reasons.empty();
+    if (!arguments.common.output.empty())
+        render::write_png(arguments.common.output,
+                          render::difference_sheet(file.image, result.drawn));
+    if (arguments.common.json) {
+        cli::print_json(
+            {{"verified", verified},
+             {"reasons", result.reasons},
+             {"run", scratch ? nlohmann::json() : nlohmann::json(run_file)},
+             {"frame", result.frame},
+             {"every_bit_counts", result.is_same_machine},
+             {"max_difference", result.difference.max_difference},
+             {"share_over_threshold_shifted", result.difference.share_over_threshold_shifted},
+             {"similarity", result.difference.similarity}});
+    } else {
+        fmt::print("{}: frame {} of {}, {}\n", verified ? "verified" : "different", result.frame,
+                   scratch ? "its scene, simulated anew" : run_file,
+                   result.is_same_machine ? "every bit compared"
+                                          : "drawn by another program or machine, so compared with "
+                                            "a tolerance");
+        for (const std::string& reason : result.reasons) fmt::print("  {}\n", reason);
+    }
+    return verified ? ExitCode::ok : ExitCode::differs;
+}
+
 ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocation) {
+    if (!arguments.verify.empty()) return verify(arguments, invocation);
+    if (arguments.input.empty())
+        throw Error("movie wants a scene or a run's file, got none",
+                    "spheroscope movie --help lists what it takes");
+    if (!arguments.compare.empty()) static_cast<void>(RunFileReader(arguments.compare));
     MovieOutcome outcome;
     outcome.document["movies"] = nlohmann::json::array();
     std::string run_file = arguments.input;
@@ -135,7 +256,7 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
     }
     if (is_drawn) {
         const RunFileReader reader(run_file);
-        if (reader.n_frames() > 0) draw(reader, pictures, folder, arguments.common.quiet, outcome);
+        if (reader.n_frames() > 0) draw(reader, pictures, folder, arguments, outcome);
     }
     if (arguments.common.json)
         cli::print_json(outcome.document);
@@ -151,10 +272,23 @@ cli::Verb movie_verb() {
             [](CLI::App& command) -> cli::VerbAction {
                 using cli::CommonOption;
                 const auto arguments = std::make_shared<MovieArguments>();
-                command.add_option("SCENE|FILE", arguments->input, "scene, or HDF5 file of a run")
-                    ->required();
+                command.add_option("SCENE|FILE", arguments->input,
+                                   "scene, or HDF5 file of a run (with --verify: that run; "
+                                   "default: the one beside the picture, else its scene is "
+                                   "simulated anew)");
                 command.add_option("--picture", arguments->picture,
                                    "name of a [[picture]], or 'all'; default: the first");
+                command
+                    .add_option("--compare", arguments->compare,
+                                "HDF5 file of another run, shown beside this one with one range "
+                                "and one scale")
+                    ->type_name("OTHER");
+                command
+                    .add_option("--verify", arguments->verify,
+                                "draw this picture again from what its file says and compare; exit "
+                                "code 4 if it differs, -o writes a sheet")
+                    ->type_name("FRAME.png");
+                command.add_flag("--no-png", arguments->no_png, "the MP4 only, no pictures");
                 command.add_flag("--overwrite", arguments->overwrite,
                                  "simulate anew, also where a run is");
                 cli::add_common_options(command, arguments->common,

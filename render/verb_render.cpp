@@ -1,8 +1,6 @@
 #include "engine/cli/version.hpp"
-#include "render/movie.hpp"
-#include "render/picture.hpp"
+#include "render/movie_painter.hpp"
 #include "render/png.hpp"
-#include "render/provenance.hpp"
 #include "render/verb_pictures.hpp"
 #include "render/verbs.hpp"
 
@@ -11,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 
 namespace spheroscope {
 namespace {
@@ -41,20 +40,24 @@ ExitCode render_stills(const RenderArguments& arguments) {
         throw Error(folder.string() + ": cannot make this folder (" + failed.message() + ")",
                     "choose another one with -o");
     StoredFrames frames(reader);
-    const SnapshotPtr snapshot = reader.frame(frame);
     for (const scene::Picture& picture :
          choose(pictures_of(reader, arguments.common), arguments.picture)) {
         // A still has the range and the scale that it has in the movie.
         const render::Survey survey = render::survey_frames(frames, picture);
-        render::Renderer renderer(reader.header(), picture);
-        render::View view;
-        view.fit_radius_um = survey.fit_radius_um[static_cast<std::size_t>(frame)];
-        if (picture.range != "frame") view.range = survey.range;
-        view.progress = n_frames > 1 ? static_cast<double>(frame) / (n_frames - 1) : 0.0;
-        view.time_decimals = survey.time_decimals;
+        render::FrameSource* const runs[]{&frames};
+        render::MoviePainter painter(runs, std::span(&survey, 1), picture, cli::version_text());
+        render::MoviePainter::Shown shown;
+        shown.frame = frame;
+        shown.view.fit_radius_um = survey.fit_radius_um[static_cast<std::size_t>(frame)];
+        if (picture.range != "frame") shown.view.range = survey.range;
+        shown.view.progress = n_frames > 1 ? static_cast<double>(frame) / (n_frames - 1) : 0.0;
+        shown.view.time_decimals = survey.time_decimals;
         const fs::path path = folder / fmt::format("{}_{:06d}.png", picture.name, frame);
-        render::write_png(path, renderer.render(*snapshot, view),
-                          render::make_provenance(*snapshot, picture, view, cli::version_text()));
+        const std::span<const render::MoviePainter::Shown> all(&shown, 1);
+        const render::Image image = painter.paint(all);
+        render::PngTexts texts = painter.texts(all);
+        texts[render::k_drawn_with_key] = painter.drawn_with();
+        render::write_png(path, image, texts);
         fmt::print("{}\n", path.string());
     }
     return ExitCode::ok;

@@ -7,6 +7,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
 namespace spheroscope {
@@ -56,6 +58,28 @@ TEST_F(InterruptedMovie, WhileItDrawsEndsWith130And143AndGoesOnWithThePicturesIt
     EXPECT_EQ(movie.code, 0) << movie.err;
     EXPECT_TRUE(fs::exists(path("o/main.mp4")));
     EXPECT_EQ(nlohmann::json::parse(movie.out)["movies"][0]["drawn"], 24 - n_there);
+}
+
+TEST_F(InterruptedMovie, ThatIsKilledGoesOnToTheSameFileToTheByte) {
+    const auto bytes = [this](const std::string& name) {
+        std::ifstream file(path(name), std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    ASSERT_EQ(call({"movie", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+    const std::string whole = bytes("o/main.mp4"), picture = bytes("o/frames/main/000020.png");
+    ASSERT_GT(whole.size(), 1000U);
+    fs::remove(path("o/main.mp4"));
+    fs::remove_all(path("o/frames"));
+    const pid_t process = start({"movie", "scene.toml", "-o", "o", "--quiet"});
+    for (int i = 0; i < 2000 && names_in("o/frames/main").size() < 3; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    kill(process, SIGKILL);
+    EXPECT_EQ(wait_for(process).signal, SIGKILL);
+    EXPECT_FALSE(fs::exists(path("o/main.mp4")));
+    ASSERT_EQ(call({"movie", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+    EXPECT_TRUE(bytes("o/main.mp4") == whole);
+    EXPECT_TRUE(bytes("o/frames/main/000020.png") == picture);
+    for (const std::string& name : names_in("o")) EXPECT_FALSE(name.ends_with(".partial")) << name;
 }
 
 TEST_F(InterruptedMovie, OfARunThatIsNotThereYetIsNotDrawnUntilTheRunIsFinished) {

@@ -1,7 +1,9 @@
+#include "render/layers/plot_strip.hpp"
 #include "render/movie.hpp"
 #include "render/movie_writer.hpp"
 #include "render/png.hpp"
 #include "render/provenance.hpp"
+#include "tests/render/drifting_pair.hpp"
 #include "tests/render/synthetic.hpp"
 #include "tests/render/temporary_folder.hpp"
 
@@ -18,28 +20,6 @@ namespace spheroscope::render {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Two cells that drift apart while their stress grows.
-class DriftingPair : public FrameSource {
-  public:
-    explicit DriftingPair(int n_frames, float stress_kPa = 0.01F)
-        : n_frames_(n_frames), stress_kPa_(stress_kPa) {}
-    int n_frames() override { return n_frames_; }
-    SnapshotPtr frame(int i) override {
-        const double shift = 0.2 * i;
-        auto snapshot =
-            synthetic::make_balls(header_, {{0, -9 - shift, 0}, {0, 9 + shift, 0}}, 9.0);
-        snapshot->frame = i;
-        snapshot->time_s = 0.25 * i;
-        snapshot->fields[2] = {stress_kPa_ * static_cast<float>(i + 1), -stress_kPa_};
-        return snapshot;
-    }
-
-  private:
-    int n_frames_;
-    float stress_kPa_;
-    std::shared_ptr<const RunHeader> header_ = synthetic::make_header(2, 42);
-};
 
 MovieSettings settings_in(const fs::path& folder) {
     MovieSettings settings;
@@ -211,6 +191,149 @@ TEST(Movie, OfNoFramesIsRefused) {
     const TemporaryFolder folder;
     DriftingPair frames(0);
     EXPECT_THROW(make_movie(frames, settings_in(folder.path())), Error);
+}
+
+TEST(Movie, HasAChapterForEachStageAndCarriesItsSceneAndRange) {
+    const TemporaryFolder folder;
+    DriftingPair frames(8);
+    make_movie(frames, settings_in(folder.path()));
+    const std::string movie = (folder.path() / "pair.mp4").string();
+    const std::string chapters = output_of(
+        "ffprobe -v error -show_chapters -show_entries chapter=start,end:chapter_tags=title -of "
+        "csv=p=0 " +
+        movie);
+    EXPECT_EQ(chapters, "0,133,compact\n133,267,relax\n") << "4 of 8 pictures at 30 in a second";
+    const std::string texts =
+        output_of("ffprobe -v error -show_entries format_tags -of default=nw=1:nk=0 " + movie);
+    EXPECT_NE(texts.find("TAG:description=title = \"Synthetic aggregate\"\n"), std::string::npos)
+        << texts;
+    EXPECT_NE(texts.find("scene synthetic.toml; seed 42; frames 0 to 7; mean_stress -100 to 100 Pa"),
+              std::string::npos)
+        << texts;
+}
+
+TEST(Movie, TextsOfEveryKindReachItsFileAsTheyAre) {
+    MovieWriter::Settings settings;
+    settings.title = "a=b;c#d\\e";
+    settings.description = "one\ntwo\n";
+    settings.fps = 25.0;
+    settings.chapters = {{0, "press; hold"}, {50, "relax"}};
+    settings.n_pictures = 75;
+    EXPECT_EQ(metadata_text(settings),
+              ";FFMETADATA1\ntitle=a\\=b\\;c\\#d\\\\e\ndescription=one\\\ntwo\\\n\n"
+              "[CHAPTER]\nTIMEBASE=1/1000\nSTART=0\nEND=2000\ntitle=press\\; hold\n"
+              "[CHAPTER]\nTIMEBASE=1/1000\nSTART=2000\nEND=3000\ntitle=relax\n");
+}
+
+TEST(Movie, WithoutPicturesLeavesTheMovieOnly) {
+    const TemporaryFolder folder;
+    DriftingPair frames(3);
+    MovieSettings settings = settings_in(folder.path());
+    settings.keeps_pictures = false;
+    EXPECT_EQ(make_movie(frames, settings).n_drawn, 3);
+    EXPECT_TRUE(fs::exists(settings.movie_path));
+    EXPECT_FALSE(fs::exists(settings.frames_folder));
+    const TemporaryFolder empty;
+    const PathIs path(empty.path());
+    EXPECT_THROW(make_movie(frames, settings), Error) << "nothing would be left of it";
+}
+
+TEST(Movie, OfTwoRunsShowsBothWithOneRangeAndOneScale) {
+    const TemporaryFolder folder;
+    DriftingPair frames(4), wilder(4, 0.05F, 1.0);
+    const MovieSettings settings = settings_in(folder.path());
+    const MovieResult result = make_comparison(frames, wilder, settings);
+    EXPECT_EQ(result.range, (Range{-250.0, 250.0})) << "of the wilder run: 200 Pa";
+    const PngFile file = read_png(settings.frames_folder / "000003.png");
+    EXPECT_EQ(file.image.width, 2 * 320);
+    const Description left = parse_description(file.texts.at(k_view_key));
+    const Description right =
+        parse_description(file.texts.at(std::string(MoviePainter::k_beside) + k_view_key));
+    EXPECT_EQ(left.view.range, right.view.range);
+    EXPECT_EQ(left.view.fit_radius_um, right.view.fit_radius_um);
+    // The left half is the picture that the run alone has with that range and that scale.
+    Renderer renderer(frames.frame(3)->header, settings.picture);
+    const Image alone = renderer.render(*frames.frame(3), left.view);
+    bool is_equal = true;
+    for (int y = 0; y < 180; ++y)
+        for (int x = 0; x < 320; ++x) is_equal = is_equal && alone.at(x, y) == file.image.at(x, y);
+    EXPECT_TRUE(is_equal);
+    EXPECT_EQ(make_comparison(frames, wilder, settings).n_drawn, 0);
+    DriftingPair other(4, 0.04F, 1.0);
+    EXPECT_EQ(make_comparison(frames, other, settings).n_drawn, 4)
+        << "the fingerprint is of both halves";
+}
+
+TEST(Movie, APlotBelowItMovesItsMarkAlongTheCurve) {
+    const TemporaryFolder folder;
+    DriftingPair frames(5);
+    MovieSettings settings = settings_in(folder.path());
+    settings.picture.plot = "sigma_h_core";
+    make_movie(frames, settings);
+    const Survey survey = survey_frames(frames, settings.picture);
+    EXPECT_EQ(survey.plotted, (std::vector<double>{0.0, 0.01, 0.04, 0.09, 0.16}));
+    PlotStrip strip;
+    strip.curves.push_back({"run", survey.time_s, survey.plotted});
+    const PlotStripPainter painter(strip, 320, 180);
+    for (int i = 0; i < 5; ++i) {
+        const Image image =
+            read_png(settings.frames_folder / ("00000" + std::to_string(i) + ".png")).image;
+        ASSERT_EQ(image.height, 180 + PlotStripPainter::height_px(180));
+        const auto at = [&](int k) {
+            const PlotStripPainter::Point p =
+                painter.point(survey.time_s[std::size_t(k)], survey.plotted[std::size_t(k)]);
+            return image.at(static_cast<int>(p.x), 180 + static_cast<int>(p.y));
+        };
+        // The disc is wider than the curve: 4 px beside it only the mark has the curve's colour.
+        const auto has_mark = [&](int k) {
+            const PlotStripPainter::Point p =
+                painter.point(survey.time_s[std::size_t(k)], survey.plotted[std::size_t(k)]);
+            const int x = static_cast<int>(p.x), y = 180 + static_cast<int>(p.y);
+            return image.at(x - 3, y) == painter.colour(0) &&
+                   image.at(x, y - 3) == painter.colour(0);
+        };
+        EXPECT_EQ(at(i), painter.colour(0));
+        for (int k = 0; k < 5; ++k) EXPECT_EQ(has_mark(k), k == i) << "frame " << i << " at " << k;
+    }
+}
+
+TEST(Movie, TheFingerprintKnowsTheWholeCurveOfThePlot) {
+    DriftingPair short_run(4), long_run(5);
+    scene::Picture picture = synthetic::make_picture("mean_stress");
+    const auto fingerprint = [&](FrameSource& run) {
+        const Survey survey = survey_frames(run, picture);
+        FrameSource* const runs[]{&run};
+        MoviePainter painter(runs, std::span(&survey, 1), picture, "test");
+        const MoviePainter::Shown shown{1, {}};
+        return painter.texts(std::span(&shown, 1)).at(k_fingerprint_key);
+    };
+    EXPECT_EQ(fingerprint(short_run), fingerprint(long_run)) << "frame 1 alone is the same";
+    picture.plot = "sigma_h_core";
+    EXPECT_NE(fingerprint(short_run), fingerprint(long_run)) << "the curve below it is longer";
+}
+
+TEST(Movie, ItsShotsFreezeTurnAndCut) {
+    const TemporaryFolder folder;
+    DriftingPair frames(5);
+    MovieSettings settings = settings_in(folder.path());
+    settings.picture.fps = 10.0;
+    settings.picture.shots = {"play to 0.5 s", "cutaway on", "freeze 0.2 s, orbit 90 deg",
+                              "play to end"};
+    EXPECT_EQ(make_movie(frames, settings).n_frames, 3 + 2 + 2);
+    const auto view = [&](int i) {
+        const PngTexts texts =
+            read_png_texts(settings.frames_folder / ("00000" + std::to_string(i) + ".png"));
+        return std::pair{texts.at("Frame"), parse_description(texts.at(k_view_key)).view};
+    };
+    EXPECT_EQ(view(2).first, "2");
+    EXPECT_EQ(view(2).second.turned_deg, 0.0);
+    EXPECT_FALSE(view(2).second.cutaway.has_value());
+    EXPECT_EQ(view(3).first, "2");
+    EXPECT_EQ(view(3).second.turned_deg, 45.0);
+    EXPECT_EQ(view(4).second.turned_deg, 90.0);
+    EXPECT_EQ(view(4).second.cutaway, true);
+    EXPECT_EQ(view(6).first, "4");
+    EXPECT_EQ(view(6).second.turned_deg, 90.0) << "what was turned stays turned";
 }
 
 TEST(Scale, IsConstantForAnAggregateThatHardlyChangesItsSize) {

@@ -1,0 +1,181 @@
+#include "render/layers/plot_strip.hpp"
+
+#include "engine/base/error.hpp"
+#include "render/canvas.hpp"
+#include "render/layers/furniture.hpp"
+#include "render/range.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace spheroscope::render {
+
+namespace {
+
+constexpr Rgb k_ink{38, 40, 44}, k_soft_ink{104, 108, 116}, k_line{214, 216, 220};
+/// Okabe and Ito 2008: told apart with all kinds of colour vision.
+constexpr std::array<Rgb, 2> k_colours{{{0, 114, 178}, {213, 94, 0}}};
+
+/// Blends a disc over the picture; the edge is one pixel soft.
+void fill_disc(Image& image, double x, double y, double radius, Rgb colour) {
+    for (int v = static_cast<int>(y - radius) - 1; v <= static_cast<int>(y + radius) + 1; ++v)
+        for (int u = static_cast<int>(x - radius) - 1; u <= static_cast<int>(x + radius) + 1; ++u) {
+            if (u < 0 || v < 0 || u >= image.width || v >= image.height) continue;
+            const double cover =
+                std::clamp(radius + 0.5 - std::hypot(u + 0.5 - x, v + 0.5 - y), 0.0, 1.0);
+            image.set(u, v, mix(image.at(u, v), colour, cover));
+        }
+}
+
+/// A line of that width: discs close to each other would blend their edges twice, so each pixel is
+/// blended once, by its distance from the line.
+void draw_line(Image& image, PlotStripPainter::Point a, PlotStripPainter::Point b, double width,
+               Rgb colour) {
+    const double reach = 0.5 * width + 1.0;
+    const double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
+    const int first_x = std::max(0, static_cast<int>(std::min(a.x, b.x) - reach));
+    const int last_x = std::min(image.width - 1, static_cast<int>(std::max(a.x, b.x) + reach));
+    const int first_y = std::max(0, static_cast<int>(std::min(a.y, b.y) - reach));
+    const int last_y = std::min(image.height - 1, static_cast<int>(std::max(a.y, b.y) + reach));
+    for (int y = first_y; y <= last_y; ++y)
+        for (int x = first_x; x <= last_x; ++x) {
+            const double px = x + 0.5 - a.x, py = y + 0.5 - a.y;
+            const double along =
+                length2 > 0.0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
+            const double away = std::hypot(px - along * dx, py - along * dy);
+            const double cover = std::clamp(0.5 * width + 0.5 - away, 0.0, 1.0);
+            if (cover > 0.0) image.set(x, y, mix(image.at(x, y), colour, cover));
+        }
+}
+
+std::string number_text(double value) {
+    return (value < 0.0 ? "\u2212" : "") + fmt::format("{:g}", std::abs(value));
+}
+
+/// Lowest and highest of the finite values of both runs, a little wider; never of no width.
+Range span_of(const PlotStrip& strip, std::vector<double> PlotStrip::Curve::*values) {
+    Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const PlotStrip::Curve& curve : strip.curves)
+        for (std::size_t i = 0; i < (curve.*values).size(); ++i) {
+            const double value = (curve.*values)[i];
+            if (!std::isfinite(value)) continue;
+            range.low = std::min(range.low, value);
+            range.high = std::max(range.high, value);
+        }
+    if (!(range.low <= range.high)) return {0.0, 1.0};  // nothing finite: empty axes
+    const double size = std::max(std::abs(range.low), std::abs(range.high));
+    // A curve that is constant but for rounding is a straight line, not noise.
+    if (range.high - range.low <= 1e-9 * size || size == 0.0) {
+        const double half = size > 0.0 ? 0.5 * size : 0.5;
+        return {range.low - half, range.high + half};
+    }
+    return range;
+}
+
+}  // namespace
+
+int PlotStripPainter::height_px(int picture_height_px) {
+    return 2 * static_cast<int>(std::lround(picture_height_px / 8.0));
+}
+
+Rgb PlotStripPainter::colour(int curve) const {
+    return k_colours.at(static_cast<std::size_t>(curve));
+}
+
+PlotStripPainter::Point PlotStripPainter::point(double time_s, double value) const {
+    return {left_ + (right_ - left_) * (time_s - time_low_) / (time_high_ - time_low_),
+            bottom_ - (bottom_ - top_) * (value - value_low_) / (value_high_ - value_low_)};
+}
+
+PlotStripPainter::PlotStripPainter(const PlotStrip& strip, int width_px, int picture_height_px)
+    : strip_(strip), background_(width_px, height_px(picture_height_px)),
+      scale_(writing_scale(picture_height_px)) {
+    SPHEROSCOPE_ASSERT(strip.curves.size() <= k_colours.size(), "a colour for each curve");
+    const Range times = span_of(strip, &PlotStrip::Curve::time_s);
+    const Range values = span_of(strip, &PlotStrip::Curve::value);
+    time_low_ = times.low;
+    time_high_ = times.high;
+    const double margin = 0.06 * (values.high - values.low);
+    value_low_ = values.low - margin;
+    value_high_ = values.high + margin;
+    const auto scaled = [this](double px) { return scale_ * px; };
+    left_ = scaled(112.0);
+    right_ = width_px - scaled(40.0);
+    top_ = scaled(40.0);
+    bottom_ = background_.height - scaled(38.0);
+
+    TextPainter text;
+    const TextPainter::Style style{scaled(20.0), k_ink, FontStyle::normal, TextMode::plain};
+    const TextPainter::Style soft{scaled(20.0), k_soft_ink, FontStyle::normal, TextMode::plain};
+    const double thin = std::max(1.0, scaled(1.0));
+    for (const double time_s : strip.stage_begin_s) {
+        const double x = std::round(point(time_s, value_low_).x);
+        fill_rectangle(background_, x, top_, x + thin, bottom_, k_line);
+    }
+    // As many labels as have room, 0 wherever it is in between.
+    const std::vector<double> value_ticks = ticks({values.low, values.high});
+    double last_y = std::numeric_limits<double>::infinity();
+    for (const double value : value_ticks) {
+        const double y = std::round(point(time_low_, value).y);
+        fill_rectangle(background_, left_, y, right_, y + thin, value == 0.0 ? k_soft_ink : k_line);
+        if (last_y - y < scaled(24.0)) continue;
+        last_y = y;
+        text.draw(background_, left_ - scaled(10.0), y + scaled(7.0), number_text(value), style,
+                  Anchor::right);
+    }
+    fill_rectangle(background_, left_, bottom_, right_, bottom_ + thin, k_ink);
+    for (const double time_s : ticks({time_low_, time_high_})) {
+        const double x = std::round(point(time_s, value_low_).x);
+        fill_rectangle(background_, x, bottom_, x + thin, bottom_ + scaled(6.0), k_ink);
+        const bool is_last = right_ - x < scaled(60.0);
+        text.draw(background_, is_last ? width_px - scaled(8.0) : x, bottom_ + scaled(27.0),
+                  number_text(time_s) + (is_last ? " s" : ""), style,
+                  is_last ? Anchor::right : Anchor::middle);
+    }
+    double x = left_;
+    text.draw(background_, x, scaled(26.0), strip.heading, style);
+    x += text.width(strip.heading, style) + scaled(28.0);
+    if (strip.curves.size() > 1)
+        for (std::size_t k = 0; k < strip.curves.size(); ++k) {
+            fill_rectangle(background_, x, scaled(17.0), x + scaled(24.0), scaled(21.0),
+                           k_colours[k]);
+            x += scaled(32.0);
+            text.draw(background_, x, scaled(26.0), strip.curves[k].name, soft);
+            x += text.width(strip.curves[k].name, soft) + scaled(24.0);
+        }
+
+    for (std::size_t k = 0; k < strip.curves.size(); ++k) {
+        const PlotStrip::Curve& curve = strip.curves[k];
+        for (std::size_t i = 1; i < curve.value.size(); ++i)
+            if (std::isfinite(curve.value[i - 1]) && std::isfinite(curve.value[i]))
+                draw_line(background_, point(curve.time_s[i - 1], curve.value[i - 1]),
+                          point(curve.time_s[i], curve.value[i]), scaled(2.0), k_colours[k]);
+    }
+}
+
+Image PlotStripPainter::draw(std::span<const double> time_s) const {
+    Image image = background_;
+    const double width = std::max(1.0, scale_ * 1.5);
+    for (std::size_t k = 0; k < strip_.curves.size(); ++k) {
+        const PlotStrip::Curve& curve = strip_.curves[k];
+        const double x = point(time_s[k], value_low_).x;
+        if (k == 0)
+            fill_rectangle(image, x - 0.5 * width, top_, x + 0.5 * width, bottom_, k_soft_ink);
+        // The last of the frames at this time: those of seeding all have time 0.
+        const auto after = std::upper_bound(curve.time_s.begin(), curve.time_s.end(), time_s[k]);
+        if (after == curve.time_s.begin()) continue;
+        const double value =
+            curve.value[static_cast<std::size_t>(after - curve.time_s.begin()) - 1];
+        if (!std::isfinite(value)) continue;
+        const Point at = point(time_s[k], value);
+        fill_disc(image, at.x, at.y, scale_ * 7.0, {255, 255, 255});
+        fill_disc(image, at.x, at.y, scale_ * 5.0, k_colours[k]);
+    }
+    return image;
+}
+
+}  // namespace spheroscope::render

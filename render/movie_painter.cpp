@@ -1,0 +1,133 @@
+#include "render/movie_painter.hpp"
+
+#include "engine/base/error.hpp"
+#include "engine/measures/totals.hpp"
+#include "render/layers/plot_strip.hpp"
+#include "render/provenance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace spheroscope::render {
+
+namespace {
+
+/// The measure that a picture plots. Throws Error for a name that a newer program may know.
+const TotalsRow& plotted_row(const scene::Picture& picture) {
+    const TotalsRow* row = find_total(picture.plot);
+    if (row == nullptr)
+        throw Error(picture.loc, "picture.plot: there is no measure '" + picture.plot + "'");
+    return *row;
+}
+
+void paste(Image& image, const Image& part, int x0, int y0) {
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(part.rgb.begin() + static_cast<std::ptrdiff_t>(part.offset(0, y)),
+                    3 * static_cast<std::size_t>(part.width),
+                    image.rgb.begin() + static_cast<std::ptrdiff_t>(image.offset(x0, y0 + y)));
+}
+
+}  // namespace
+
+struct MoviePainter::Hidden {
+    std::vector<FrameSource*> runs;
+    std::vector<SnapshotPtr> current;  // of each run: what it was asked for last
+    scene::Picture picture;
+    std::string drawn_by;
+    std::vector<std::unique_ptr<Renderer>> renderers;
+    std::optional<PlotStrip> strip;
+    std::string strip_text;  // all numbers of the strip, for the fingerprint
+    std::unique_ptr<PlotStripPainter> strip_painter;
+
+    const Snapshot& snapshot(std::size_t run, int frame) {
+        if (!current[run] || current[run]->frame != frame) current[run] = runs[run]->frame(frame);
+        return *current[run];
+    }
+    [[nodiscard]] int width_px() const {
+        return static_cast<int>(runs.size()) * picture.size_px[0];
+    }
+};
+
+MoviePainter::MoviePainter(std::span<FrameSource* const> runs, std::span<const Survey> surveys,
+                           const scene::Picture& picture, std::string drawn_by)
+    : hidden_(std::make_unique<Hidden>()) {
+    Hidden& h = *hidden_;
+    h.runs.assign(runs.begin(), runs.end());
+    h.current.resize(runs.size());
+    h.picture = picture;
+    h.drawn_by = std::move(drawn_by);
+    if (picture.plot.empty()) return;
+    const TotalsRow& row = plotted_row(picture);
+    PlotStrip strip;
+    strip.heading = std::string(row.name);
+    if (row.unit != "1") strip.heading += fmt::format(" ({})", row.unit);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const Survey& survey = surveys[k];
+        const RunHeader& header = *h.snapshot(k, 0).header;
+        strip.curves.push_back({header.title.empty() ? header.scene_name : header.title,
+                                survey.time_s, survey.plotted});
+        for (std::size_t i = 0; i < survey.time_s.size(); ++i)
+            h.strip_text += fmt::format("{:.17g} {:.17g} ", survey.time_s[i], survey.plotted[i]);
+        h.strip_text += '\n';
+    }
+    for (std::size_t i = 1; i < surveys[0].stage_names.size(); ++i)
+        if (surveys[0].stage_names[i] != surveys[0].stage_names[i - 1])
+            strip.stage_begin_s.push_back(surveys[0].time_s[i - 1]);
+    h.strip = std::move(strip);
+}
+
+MoviePainter::~MoviePainter() = default;
+
+std::array<int, 2> MoviePainter::size_px() const {
+    const Hidden& h = *hidden_;
+    const int height = h.picture.size_px[1];
+    return {h.width_px(), height + (h.strip ? PlotStripPainter::height_px(height) : 0)};
+}
+
+std::string MoviePainter::drawn_with() { return hidden_->renderers.at(0)->drawn_with(); }
+
+PngTexts MoviePainter::texts(std::span<const Shown> shown) {
+    Hidden& h = *hidden_;
+    PngTexts all;
+    std::vector<std::string> fingerprints;
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+        PngTexts texts =
+            make_provenance(h.snapshot(k, shown[k].frame), h.picture, shown[k].view, h.drawn_by);
+        fingerprints.push_back(texts[k_fingerprint_key]);
+        for (auto& [key, text] : texts) all[(k == 0 ? "" : k_beside) + key] = std::move(text);
+    }
+    if (h.strip) fingerprints.push_back(h.strip_text);
+    all[k_fingerprint_key] = join_fingerprints(fingerprints);
+    all.erase(std::string(k_beside) + k_fingerprint_key);
+    return all;
+}
+
+Image MoviePainter::paint(std::span<const Shown> shown) {
+    Hidden& h = *hidden_;
+    std::vector<Image> parts;
+    std::vector<double> time_s;
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+        const Snapshot& snapshot = h.snapshot(k, shown[k].frame);
+        if (k == h.renderers.size())
+            h.renderers.push_back(std::make_unique<Renderer>(snapshot.header, h.picture));
+        parts.push_back(h.renderers[k]->render(snapshot, shown[k].view));
+        time_s.push_back(snapshot.time_s);
+    }
+    if (parts.size() == 1 && !h.strip) return std::move(parts.front());
+    const auto [width, height] = size_px();
+    Image image(width, height);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        paste(image, parts[k], static_cast<int>(k) * h.picture.size_px[0], 0);
+    if (h.strip) {
+        if (!h.strip_painter)
+            h.strip_painter =
+                std::make_unique<PlotStripPainter>(*h.strip, width, h.picture.size_px[1]);
+        paste(image, h.strip_painter->draw(time_s), 0, h.picture.size_px[1]);
+    }
+    return image;
+}
+
+}  // namespace spheroscope::render

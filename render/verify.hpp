@@ -1,0 +1,31 @@
+#pragma once
+
+#include "render/frame_source.hpp"
+#include "render/image_diff.hpp"
+#include "render/png.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace spheroscope::render {
+
+/// What came of drawing a picture again from what its file says of it.
+struct Verification {
+    int frame = 0;
+    bool is_same_machine = false;  ///< same program, Mesa and VTK: then every bit counts
+    Image drawn;
+    ImageDifference difference;
+    std::vector<std::string> reasons;  ///< why it differs; empty: verified
+};
+
+/// runs: the picture's run, and that beside it if it shows two. Throws Error (usage) when the file
+/// does not say how it was drawn, when a run is of another scene or seed, or has no such frame;
+/// else as MoviePainter.
+[[nodiscard]] Verification verify_picture(const PngFile& file, std::span<FrameSource* const> runs,
+                                          const std::string& drawn_by);
+
+/// How many runs the picture shows side by side, 1 or 2.
+[[nodiscard]] int n_runs_shown(const PngTexts& texts);
+
+}  // namespace spheroscope::render

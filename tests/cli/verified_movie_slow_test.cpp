@@ -1,0 +1,66 @@
+// A picture can be drawn again from what its own file says, with its run or without.
+#include "tests/cli/program_runner.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace spheroscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+class VerifiedMovie : public ProgramRunner {
+  protected:
+    void SetUp() override {
+        if (call({"--help"}).out.find("\n  movie ") == std::string::npos)
+            GTEST_SKIP() << "built without pictures";
+        write_file("scene.toml", all_stages_scene());
+        ASSERT_EQ(call({"movie", "scene.toml", "-o", "o", "--quiet", "--set",
+                        "picture[0].plot=contact_area"})
+                      .code,
+                  0);
+    }
+    nlohmann::json verify(std::vector<std::string> arguments, int code) const {
+        arguments.insert(arguments.begin(), {"movie", "--json", "--quiet", "--verify"});
+        const Outcome outcome = call(arguments);
+        EXPECT_EQ(outcome.code, code) << outcome.out << outcome.err;
+        return nlohmann::json::parse(outcome.out);
+    }
+};
+
+TEST_F(VerifiedMovie, FindsItsRunOrSimulatesItAnew) {
+    const nlohmann::json found = verify({"o/frames/main/000020.png"}, 0);
+    EXPECT_EQ(found["frame"], 20);
+    EXPECT_EQ(found["max_difference"], 0);
+    EXPECT_EQ(found["every_bit_counts"], true);
+    EXPECT_TRUE(found["run"].is_string());
+    fs::copy_file(path("o/frames/main/000020.png"), path("lone.png"));
+    EXPECT_EQ(verify({"lone.png", "o/run.h5"}, 0)["max_difference"], 0);
+    const nlohmann::json anew = verify({"lone.png"}, 0);
+    EXPECT_TRUE(anew["run"].is_null());
+    EXPECT_EQ(anew["max_difference"], 0);
+}
+
+TEST_F(VerifiedMovie, OfAnotherRunIsRefused) {
+    ASSERT_EQ(call({"render", "o/run.h5", "--frame", "20", "-o", "o"}).code, 0);
+    EXPECT_EQ(verify({"o/main_000020.png"}, 0)["frame"], 20);
+    ASSERT_EQ(call({"run", "scene.toml", "-o", "p", "--quiet", "--seed", "4"}).code, 0);
+    const Outcome refused = call({"movie", "--verify", "o/main_000020.png", "p/run.h5"});
+    EXPECT_EQ(refused.code, 2) << "another run is no base for a verdict";
+    EXPECT_NE(refused.err.find("not of this run"), std::string::npos) << refused.err;
+}
+
+TEST_F(VerifiedMovie, OfTwoRunsSideBySideIsVerifiedWithBoth) {
+    ASSERT_EQ(call({"run", "scene.toml", "-o", "p", "--quiet", "--seed", "4"}).code, 0);
+    ASSERT_EQ(call({"movie", "o/run.h5", "--compare", "p/run.h5", "-o", "o", "--quiet"}).code, 0);
+    EXPECT_TRUE(fs::exists(path("o/main_compared.mp4")));
+    EXPECT_EQ(verify({"o/frames/main_compared/000010.png", "--compare", "p/run.h5"}, 0)["frame"],
+              10);
+    const Outcome refused = call({"movie", "--verify", "o/frames/main_compared/000010.png"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("--compare"), std::string::npos) << refused.err;
+}
+
+}  // namespace
+}  // namespace spheroscope
