@@ -1,7 +1,10 @@
+#include "engine/cli/doctor.hpp"
 #include "engine/cli/program.hpp"
+#include "engine/cli/reference.hpp"
 #include "engine/cli/verb.hpp"
 #include "engine/cli/version.hpp"
 #ifdef SPHEROSCOPE_HAS_RENDER
+#include "render/probe.hpp"
 #include "render/verbs.hpp"
 #endif
 
@@ -15,13 +18,18 @@ int main(int argc, char** argv) {
     // A full quota of file size is then an error of the write, with a message, and not the end.
     std::signal(SIGXFSZ, SIG_IGN);
     reports::DrawPlot draw;
+    cli::PictureProbe probe;
 #ifdef SPHEROSCOPE_HAS_RENDER
     draw = plot_drawer();
+    probe = render::probe_pictures;
 #endif
     std::vector<cli::Verb> verbs = cli::engine_verbs(draw);
 #ifdef SPHEROSCOPE_HAS_RENDER
     for (cli::Verb& verb : render_verbs()) verbs.push_back(std::move(verb));
 #endif
+    verbs.push_back(cli::doctor_verb(probe));
+    verbs.push_back(cli::man_verb(verbs));
+    verbs.push_back(cli::completion_verb(verbs));
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     return static_cast<int>(cli::run_program(arguments, verbs, cli::version_text()));
 }

@@ -1,0 +1,96 @@
+// The manual page and the completion say what --help says, verb by verb and option by option.
+#include "tests/cli/program_runner.hpp"
+
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace spheroscope {
+namespace {
+
+using Names = std::set<std::string>;
+
+Names matches(const std::string& text, const std::string& pattern) {
+    const std::regex regex(pattern);
+    Names found;
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), regex);
+         it != std::sregex_iterator(); ++it)
+        found.insert((*it)[1]);
+    return found;
+}
+
+class Reference : public ProgramRunner {
+  protected:
+    /// Every verb of --help, in its order.
+    std::vector<std::string> verbs() const {
+        std::vector<std::string> names;
+        std::istringstream lines(call({"--help"}).out);
+        bool inside = false;
+        for (std::string line; std::getline(lines, line);) {
+            if (line == "Verbs:")
+                inside = true;
+            else if (line.empty())
+                inside = false;
+            else if (inside)
+                names.push_back(line.substr(2, line.find(' ', 2) - 2));
+        }
+        return names;
+    }
+    /// The long options that a verb's own --help declares: at the beginning of a line.
+    Names options(const std::string& verb) const {
+        return matches(call({verb, "--help"}).out, "\n *(?:-[a-z], ?)?--([a-z-]+)");
+    }
+};
+
+TEST_F(Reference, TheManualPageHasTheVerbsAndOptionsOfHelpAndNoOthers) {
+    std::string page = call({"man"}).out;
+    page = std::regex_replace(page, std::regex("\\\\-"), "-");
+    const std::vector<std::string> names = verbs();
+    ASSERT_GT(names.size(), 8U);
+    std::size_t n_options = 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::size_t begin = page.find("\n.SS " + names[i] + "\n");
+        ASSERT_NE(begin, std::string::npos) << names[i];
+        const std::size_t end = page.find("\n.S", begin + 1);
+        const Names in_page =
+            matches(page.substr(begin, end - begin + 1), "\n\\.B (?:-[a-z], )?--([a-z-]+)");
+        EXPECT_EQ(in_page, options(names[i])) << names[i];
+        n_options += in_page.size();
+    }
+    EXPECT_GT(n_options, 40U) << "the control: there are options to compare";
+    EXPECT_EQ(matches(page, "\n\\.SS ([a-z]+)\n").size(), names.size());
+}
+
+TEST_F(Reference, TheManualPageIsOneForTroff) {
+    const Outcome outcome =
+        shell("command -v groff >/dev/null || exit 77; \"$PROGRAM\" man | groff -man -Tutf8 -ww");
+    if (outcome.code == 77) GTEST_SKIP() << "no groff";
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find("EXIT STATUS"), std::string::npos);
+}
+
+TEST_F(Reference, TheCompletionKnowsEveryVerbAndItsOptions) {
+    const auto complete = [this](const std::string& words, int at) {
+        const Outcome outcome =
+            shell("bash -c 'source <(\"$1\" completion); COMP_WORDS=(spheroscope " + words +
+                  "); COMP_CWORD=" + std::to_string(at) +
+                  "; _spheroscope; printf \"%s\\n\" \"${COMPREPLY[@]}\"' - \"$PROGRAM\"");
+        return matches(outcome.out, "([^\n]+)");
+    };
+    Names all;
+    for (const std::string& verb : verbs()) all.insert(verb);
+    all.insert({"--help", "--version"});
+    EXPECT_EQ(complete("\"\"", 1), all);
+    EXPECT_EQ(complete("stab", 1), Names{"stability"});
+    for (const std::string& verb : verbs()) {
+        Names wanted;
+        for (const std::string& option : options(verb)) wanted.insert("--" + option);
+        EXPECT_EQ(complete(verb + " --", 2), wanted) << verb;
+    }
+    write_file("scene.toml", "");
+    EXPECT_EQ(complete("run sce", 2), Names{"scene.toml"});
+}
+
+}  // namespace
+}  // namespace spheroscope
