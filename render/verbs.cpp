@@ -4,7 +4,9 @@
 
 namespace spheroscope {
 
-std::vector<cli::Verb> render_verbs() { return {movie_verb(), render_verb(), diff_verb()}; }
+std::vector<cli::Verb> render_verbs() {
+    return {movie_verb(), render_verb(), diff_verb(), export_verb()};
+}
 
 reports::DrawPlot plot_drawer() {
     return [](const reports::Plot& plot, const std::string& path) -> std::vector<std::string> {

@@ -16,5 +16,6 @@ namespace spheroscope {
 [[nodiscard]] cli::Verb movie_verb();
 [[nodiscard]] cli::Verb render_verb();
 [[nodiscard]] cli::Verb diff_verb();
+[[nodiscard]] cli::Verb export_verb();
 
 }  // namespace spheroscope

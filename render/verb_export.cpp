@@ -1,0 +1,98 @@
+#include "engine/cli/json_output.hpp"
+#include "engine/cli/options.hpp"
+#include "engine/store/atomic_file.hpp"
+#include "engine/store/run_file.hpp"
+#include "engine/store/xdmf.hpp"
+#include "render/export_vtk.hpp"
+#include "render/verbs.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace spheroscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportArguments {
+    std::string file;
+    std::optional<int> frame;
+    cli::CommonOptions common;
+};
+
+void write_text(const fs::path& path, const std::string& text) {
+    AtomicFile file(path.string(), AtomicFile::Mode::create);
+    file.write(0, std::as_bytes(std::span(text)));
+    file.commit();
+}
+
+ExitCode export_run(const ExportArguments& arguments) {
+    const RunFileReader reader(arguments.file);
+    const int n_frames = reader.n_frames();
+    if (n_frames == 0)
+        throw Error(arguments.file + ": the run has no frames yet", "export it when it has some");
+    int first = 0, last = n_frames - 1;
+    if (arguments.frame) {
+        first = last = *arguments.frame < 0 ? n_frames + *arguments.frame : *arguments.frame;
+        if (first < 0 || first >= n_frames)
+            throw Error(fmt::format("{}: there is no frame {}", arguments.file, *arguments.frame),
+                        fmt::format("frames are 0 to {}, or -1 for the last", n_frames - 1));
+    }
+    const fs::path folder = arguments.common.output.empty()
+                                ? fs::path(arguments.file).parent_path() / "paraview"
+                                : fs::path(arguments.common.output);
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed)
+        throw Error(folder.string() + ": cannot make this folder (" + failed.message() + ")",
+                    "choose another one with -o");
+    std::vector<render::DatedFile> surfaces, network;
+    for (int i = first; i <= last; ++i) {
+        const SnapshotPtr frame = reader.frame(i);
+        surfaces.push_back({fmt::format("cells_{:06d}.vtp", i), frame->time_s});
+        network.push_back({fmt::format("network_{:06d}.vtp", i), frame->time_s});
+        write_text(folder / surfaces.back().name, render::surfaces_vtp(*frame));
+        write_text(folder / network.back().name, render::network_vtp(*frame));
+    }
+    // last: a collection never names a file that is not there
+    const fs::path cells_pvd = folder / "cells.pvd", network_pvd = folder / "network.pvd";
+    write_text(cells_pvd, render::pvd_text(surfaces));
+    write_text(network_pvd, render::pvd_text(network));
+    // The run's own description for ParaView may have been left behind by a copy of the file.
+    if (!fs::exists(xdmf_path(reader.path()))) write_xdmf(reader);
+    if (arguments.common.json)
+        cli::print_json({{"cells", cells_pvd.string()},
+                         {"network", network_pvd.string()},
+                         {"xdmf", xdmf_path(reader.path())},
+                         {"frames", last - first + 1}});
+    else
+        fmt::print("cells    {}\nnetwork  {}\nxdmf     {}\nframes   {}\n", cells_pvd.string(),
+                   network_pvd.string(), xdmf_path(reader.path()), last - first + 1);
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+cli::Verb export_verb() {
+    return {"export", "writes a run's file for ParaView: .vtp for each frame, and .pvd",
+            [](CLI::App& command) -> cli::VerbAction {
+                using cli::CommonOption;
+                const auto arguments = std::make_shared<ExportArguments>();
+                command.add_option("FILE", arguments->file, "HDF5 file of a run")->required();
+                command.add_option("--frame", arguments->frame,
+                                   "this frame only; -1 is the last (default: all)");
+                cli::add_common_options(command, arguments->common,
+                                        {CommonOption::output, CommonOption::json});
+                return [arguments](const cli::Invocation&) { return export_run(*arguments); };
+            }};
+}
+
+}  // namespace spheroscope
