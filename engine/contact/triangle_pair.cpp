@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace spheroscope {
 namespace {
@@ -87,11 +88,19 @@ constexpr double k_smallest_polygon_um2 = 1e-9;
 /// Below this share of its area a projected triangle is seen edge-on.
 constexpr double k_edge_on = 1e-6;
 
-}  // namespace
+/// The contact plane of two triangles and what is cut out of it.
+struct Clipped {
+    Vec3 origin, e1, e2, normal;  ///< a corner of A; a frame of the plane
+    double d0, dx, dy;            ///< delta = d0 + dx x + dy y
+    Barycentric lambda, mu;       ///< of A and B, projected
+    Polygon polygon;
+    [[nodiscard]] double overlap_at(const Point& p) const { return d0 + dx * p.x + dy * p.y; }
+};
 
-PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeometry& b,
-                                 const ContactLaw& law, ContactPair& pair) {
-    if (a.normal.dot(b.normal) >= law.reject_cos) return PairOutcome::apart;
+/// Empty where the triangles are apart, seen edge-on, or rejected for their angle.
+std::optional<Clipped> clip_pair(const TriangleGeometry& a, const TriangleGeometry& b,
+                                 const ContactLaw& law) {
+    if (a.normal.dot(b.normal) >= law.reject_cos) return {};
     const Vec3 m = b.normal - a.normal;
     const double m_length = m.norm();
     const double c = 0.5 * m_length;
@@ -116,10 +125,10 @@ PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeomet
                                   project(b.corner_um[2])};
     const auto [ax0, ax1] = std::minmax({pa[0].x, pa[1].x, pa[2].x});
     const auto [bx0, bx1] = std::minmax({pb[0].x, pb[1].x, pb[2].x});
-    if (ax0 > bx1 || bx0 > ax1) return PairOutcome::apart;
+    if (ax0 > bx1 || bx0 > ax1) return {};
     const auto [ay0, ay1] = std::minmax({pa[0].y, pa[1].y, pa[2].y});
     const auto [by0, by1] = std::minmax({pb[0].y, pb[1].y, pb[2].y});
-    if (ay0 > by1 || by0 > ay1) return PairOutcome::apart;
+    if (ay0 > by1 || by0 > ay1) return {};
 
     // delta = d0 + dx x + dy y; (n_A + n_B).n = 0, so the plane's offset along n does not enter.
     const Vec3 sum = a.normal + b.normal;
@@ -127,14 +136,13 @@ PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeomet
     const double dx = -sum.dot(e1) / c;
     const double dy = -sum.dot(e2) / c;
     const auto overlap_at = [&](const Point& p) { return d0 + dx * p.x + dy * p.y; };
-    if (overlap_at(pa[0]) < 0.0 && overlap_at(pa[1]) < 0.0 && overlap_at(pa[2]) < 0.0)
-        return PairOutcome::apart;
+    if (overlap_at(pa[0]) < 0.0 && overlap_at(pa[1]) < 0.0 && overlap_at(pa[2]) < 0.0) return {};
 
     const Barycentric lambda(pa), mu(pb);
     // Seen against n, B (outward along n) runs counter-clockwise and A clockwise.
     const double smallest =
         k_edge_on * std::max(std::abs(lambda.twice_area), std::abs(mu.twice_area));
-    if (-lambda.twice_area <= smallest || mu.twice_area <= smallest) return PairOutcome::apart;
+    if (-lambda.twice_area <= smallest || mu.twice_area <= smallest) return {};
 
     Polygon polygon;
     polygon.n = 3;
@@ -142,8 +150,18 @@ PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeomet
     for (std::size_t k = 0; k < 3 && polygon.n > 0; ++k)
         clip(polygon, mu.at_origin[k], mu.x[k], mu.y[k]);
     if (polygon.n > 0) clip(polygon, d0, dx, dy);
-    if (polygon.n < 3) return PairOutcome::apart;
+    if (polygon.n < 3) return {};
 
+    return Clipped{origin, e1, e2, n, d0, dx, dy, lambda, mu, polygon};
+}
+
+}  // namespace
+
+PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeometry& b,
+                                 const ContactLaw& law, ContactPair& pair) {
+    const std::optional<Clipped> clipped = clip_pair(a, b, law);
+    if (!clipped) return PairOutcome::apart;
+    const auto& [origin, e1, e2, n, d0, dx, dy, lambda, mu, polygon] = *clipped;
     const Moments s = moments_of(polygon);
     if (s.s < k_smallest_polygon_um2) return PairOutcome::apart;
     const double overlap_um = d0 + (dx * s.sx + dy * s.sy) / s.s;
@@ -167,12 +185,41 @@ PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeomet
     pair.energy_fJ = 0.5 * law.k_kPa_per_um * overlap2 - law.P0_kPa * overlap_um * s.s;
     double largest_um = overlap_um;
     for (std::size_t i = 0; i < polygon.n; ++i)
-        largest_um = std::max(largest_um, overlap_at(polygon.corner[i]));
+        largest_um = std::max(largest_um, clipped->overlap_at(polygon.corner[i]));
     pair.overlap_um = static_cast<float>(overlap_um);
     pair.largest_overlap_um = static_cast<float>(largest_um);
     pair.area_um2 = s.s;
     pair.normal = n;
     return PairOutcome::active;
+}
+
+ContactPolygon contact_polygon(const TriangleGeometry& a, const TriangleGeometry& b,
+                               const ContactLaw& law) {
+    ContactPolygon result;
+    const std::optional<Clipped> clipped = clip_pair(a, b, law);
+    if (!clipped) return result;
+    result.normal = clipped->normal;
+    // Heights of both planes along n; the polygon is shown half-way between them.
+    const double along_a = a.normal.dot(clipped->normal), along_b = b.normal.dot(clipped->normal);
+    const auto point = [&](const Point& p) -> ContactPolygon::Corner {
+        const Vec3 in_plane = p.x * clipped->e1 + p.y * clipped->e2;
+        const double height_a = -a.normal.dot(in_plane) / along_a;
+        const double height_b = b.normal.dot(b.corner_um[0] - clipped->origin - in_plane) / along_b;
+        return {clipped->origin + in_plane + 0.5 * (height_a + height_b) * clipped->normal,
+                clipped->overlap_at(p)};
+    };
+    const Polygon& polygon = clipped->polygon;
+    for (std::size_t i = 0; i < polygon.n; ++i) result.corners.push_back(point(polygon.corner[i]));
+    const auto middle = [](const Point& p, const Point& q) {
+        return Point{0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
+    };
+    const Point& p = polygon.corner[0];
+    for (std::size_t i = 1; i + 1 < polygon.n; ++i) {
+        const Point &q = polygon.corner[i], &r = polygon.corner[i + 1];
+        for (const Point& mid : {middle(p, q), middle(q, r), middle(r, p)})
+            result.quadrature.push_back(point(mid));
+    }
+    return result;
 }
 
 }  // namespace spheroscope

@@ -4,6 +4,7 @@
 #include "engine/contact/contacts.hpp"
 
 #include <array>
+#include <vector>
 
 namespace spheroscope {
 
@@ -38,5 +39,18 @@ enum class PairOutcome {
 /// and torque vanish.
 [[nodiscard]] PairOutcome contact_of_triangles(const TriangleGeometry& a, const TriangleGeometry& b,
                                                const ContactLaw& law, ContactPair& pair);
+
+/// Where contact_of_triangles integrates, for those who look at it.
+struct ContactPolygon {
+    struct Corner {
+        Vec3 x_um;  ///< half-way between the two surfaces
+        double overlap_um;
+    };
+    Vec3 normal = Vec3::Zero();
+    std::vector<Corner> corners;     ///< empty where the triangles are apart
+    std::vector<Corner> quadrature;  ///< edge mid-points of the fan of triangles, three for each
+};
+[[nodiscard]] ContactPolygon contact_polygon(const TriangleGeometry& a, const TriangleGeometry& b,
+                                             const ContactLaw& law);
 
 }  // namespace spheroscope

@@ -1,0 +1,60 @@
+#include "engine/inspect/contact_history.hpp"
+
+#include "engine/inspect/inspect_contact.hpp"
+
+#include <algorithm>
+
+namespace spheroscope::inspect {
+
+std::vector<ContactSummary> contact_history(const std::shared_ptr<const RunHeader>& header,
+                                            const ReadFrame& read, int n_frames,
+                                            const ContactKey& key) {
+    check_cells(*header, key);
+    FrameSystem pair(header, {key.cell_a, key.cell_b}, FrameSystem::Detail::contacts);
+    std::vector<ContactSummary> history;
+    for (int frame = 0; frame < n_frames; ++frame) {
+        pair.load(read(frame));
+        history.push_back(summarize(pair, key));
+    }
+    return history;
+}
+
+std::string_view name_of(EventKind kind) {
+    switch (kind) {
+    case EventKind::forms: return "forms";
+    case EventKind::breaks: return "breaks";
+    case EventKind::sign_change: return "sign change";
+    }
+    return "";
+}
+
+std::vector<ContactEvent> find_events(std::span<const ContactSummary> history) {
+    std::vector<ContactEvent> events;
+    for (std::size_t i = 1; i < history.size(); ++i) {
+        const ContactSummary &before = history[i - 1], &now = history[i];
+        if (before.is_seeding) continue;
+        const double f0 = before.normal_force_nN, f1 = now.normal_force_nN;
+        if (before.exists != now.exists)
+            events.push_back(
+                {now.exists ? EventKind::forms : EventKind::breaks, now.frame, now.time_s, f0, f1});
+        else if (now.exists && (f0 > 0.0) != (f1 > 0.0))
+            events.push_back({EventKind::sign_change, now.frame,
+                              before.time_s + f0 / (f0 - f1) * (now.time_s - before.time_s), f0,
+                              f1});
+    }
+    return events;
+}
+
+const ContactEvent* next_event(std::span<const ContactEvent> events, int frame) {
+    const auto found = std::find_if(events.begin(), events.end(),
+                                    [&](const ContactEvent& event) { return event.frame > frame; });
+    return found == events.end() ? nullptr : &*found;
+}
+
+const ContactEvent* previous_event(std::span<const ContactEvent> events, int frame) {
+    const auto found = std::find_if(events.rbegin(), events.rend(),
+                                    [&](const ContactEvent& event) { return event.frame < frame; });
+    return found == events.rend() ? nullptr : &*found;
+}
+
+}  // namespace spheroscope::inspect

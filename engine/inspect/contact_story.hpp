@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/inspect/contact_history.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spheroscope::inspect {
+
+/// One contact through a run, as those read it who draw it: its whole history, and each frame on
+/// demand.
+struct ContactStory {
+    struct Moment {
+        SnapshotPtr frame;
+        std::optional<ContactReport> report;  ///< empty: the cells do not touch in this frame
+    };
+
+    std::shared_ptr<const RunHeader> header;
+    ContactKey key;
+    std::vector<ContactSummary> history;  ///< one row for each frame
+    std::vector<ContactEvent> events;
+    std::function<Moment(int frame)> at;
+    std::string made_by;       ///< version of the program, for the files' texts
+    std::string command_line;  ///< that makes the picture again
+};
+
+/// Reads the history. Throws Error when there is no such cell, or when the cells touch in no frame
+/// of the run (with the nearest contacts of the last one).
+[[nodiscard]] ContactStory tell_contact(const std::shared_ptr<const RunHeader>& header,
+                                        const ReadFrame& read, int n_frames, const ContactKey& key);
+
+/// Draws one contact; empty functions in a program that was built without pictures.
+struct DrawContact {
+    std::function<void(const ContactStory&, int frame, const std::string& png)> sheet;
+    std::function<void(const ContactStory&, const std::string& mp4)> movie;
+};
+
+}  // namespace spheroscope::inspect

@@ -1,0 +1,140 @@
+// Every force on one node, term by term, and the velocity with which friction balances them.
+#include "engine/forces/contact_variational.hpp"
+#include "engine/friction/cortex_viscosity.hpp"
+#include "engine/inspect/inspect_contact.hpp"
+#include "engine/solve/friction_matrix.hpp"
+
+namespace spheroscope::inspect {
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+/// The velocities are solved for to this relative residual.
+constexpr double k_tolerance = 1e-10;
+
+/// Adds the contact forces of a cell to rows, one for each neighbour.
+void add_contacts(const FrameSystem& frame, const Configuration& at, int cell, int node,
+                  std::vector<NodeForce>& rows) {
+    const MeshTopology& mesh = *at.model.topology;
+    for (const Contacts::Side& side : at.contacts.sides_of(cell)) {
+        const Contacts::Group& group = at.contacts.groups[idx(side.group)];
+        Vec3 sum = Vec3::Zero();
+        for (const ContactPair& pair : group.pairs)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const int triangle = side.is_a ? pair.triangle_a : pair.triangle_b;
+                if (mesh.triangles[idx(triangle)][i] != node) continue;
+                sum += side.is_a ? Vec3(pair.force_a_nN[i] * pair.normal)
+                                 : Vec3(-pair.force_b_nN[i] * pair.normal);
+            }
+        for (const ContactFilm& film : Contacts::films_of(group, side.is_a)) {
+            const auto force = film_forces_nN(at, cell, film);
+            for (std::size_t i = 0; i < 3; ++i)
+                if (mesh.triangles[idx(film.triangle)][i] == node) sum += force[i];
+        }
+        const int other = frame.cell_of_run(side.is_a ? group.cell_b : group.cell_a);
+        if (sum != Vec3::Zero())
+            rows.push_back({"contact with cell " + std::to_string(other), sum});
+    }
+}
+
+/// Friction with the other cells, eqns (17), (18), from its definition.
+Vec3 contact_friction_nN(const Configuration& at, const ContactFriction& friction,
+                         std::span<const Vec3> v, int cell, int node) {
+    const MeshTopology& mesh = *at.model.topology;
+    Vec3 sum = Vec3::Zero();
+    for (const Contacts::Side& side : at.contacts.sides_of(cell)) {
+        const Contacts::Group& group = at.contacts.groups[idx(side.group)];
+        const auto own = at.model.cell_nodes(v, cell);
+        const auto others = at.model.cell_nodes(v, side.is_a ? group.cell_b : group.cell_a);
+        for (const ContactPair& pair : group.pairs) {
+            const auto& mine = mesh.triangles[idx(side.is_a ? pair.triangle_a : pair.triangle_b)];
+            const auto& its = mesh.triangles[idx(side.is_a ? pair.triangle_b : pair.triangle_a)];
+            const auto& own_weight = side.is_a ? pair.lambda : pair.mu;
+            const auto& other_weight = side.is_a ? pair.mu : pair.lambda;
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t k = 0; k < 3 && mine[i] == node; ++k) {
+                    const Vec3 slip = own[idx(node)] - others[idx(its[k])];
+                    const Vec3 along = slip.dot(pair.normal) * pair.normal;
+                    sum -= (own_weight[i] + other_weight[k]) / 6.0 * pair.area_um2 *
+                           (friction.normal_kPa_s_per_um * along +
+                            friction.tangential_kPa_s_per_um * (slip - along));
+                }
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+NodeForces forces_on_node(FrameSystem& frame, int cell, int node) {
+    System& system = frame.system();
+    const Model& model = system.model();
+    if (cell < 0 || cell >= model.n_cells())
+        throw Error("there is no cell " + std::to_string(cell),
+                    "the run has " + std::to_string(model.n_cells()) + " cells, counted from 0");
+    if (node < 0 || node >= model.n_nodes())
+        throw Error("there is no node " + std::to_string(node),
+                    "a cell has " + std::to_string(model.n_nodes()) + " nodes in this frame, " +
+                        "counted from 0");
+    const Configuration at = system.configuration();
+    const auto of_node = [&](std::span<const Vec3> all) {
+        return all[idx(cell) * idx(model.n_nodes()) + idx(node)];
+    };
+    std::vector<Vec3> v(model.n_all_nodes(), Vec3::Zero());
+    static_cast<void>(system.solve_friction(system.force_nN(), v, k_tolerance));
+
+    NodeForces result;
+    result.cell = cell;
+    result.node = node;
+    result.x_um = of_node(at.x_um);
+    result.v_um_per_s = of_node(v);
+    const SystemParts& parts = system.parts();
+    for (const auto& term : parts.terms) {
+        if (term.get() == parts.wall && at.wall_radius_um <= 0.0) continue;
+        if (term->name().starts_with("contact")) {
+            add_contacts(frame, at, cell, node, result.terms);
+            continue;
+        }
+        std::vector<Vec3> F(idx(model.n_nodes()), Vec3::Zero());
+        term->add_force(at, cell, F);
+        result.terms.push_back({std::string(term->name()), F[idx(node)]});
+    }
+    const auto add_friction = [&](const char* name, const Vec3& force_nN) {
+        result.frictions.push_back({name, force_nN});
+    };
+    const Frictions& frictions = parts.frictions;
+    add_friction(
+        "friction: medium",
+        -of_node(v) *
+            node_drags(model, frictions.eta_f_kPa_s)[idx(cell) * idx(model.n_nodes()) + idx(node)]);
+    if (frictions.edge_nN_s_per_um > 0.0) {
+        std::vector<Vec3> out(idx(model.n_nodes()), Vec3::Zero());
+        add_cortex_friction(*model.topology, frictions.edge_nN_s_per_um,
+                            model.cell_nodes(std::span<const Vec3>(v), cell), out);
+        add_friction("friction: cortex", -out[idx(node)]);
+    }
+    if (const auto coefficient = system.volume_friction(); !coefficient.empty()) {
+        const auto S =
+            model.cell_nodes(std::span<const Vec3>(at.geometry.volume_gradient_um2), cell);
+        const auto of_cell = model.cell_nodes(std::span<const Vec3>(v), cell);
+        double rate_um3_per_s = 0.0;
+        for (std::size_t i = 0; i < S.size(); ++i) rate_um3_per_s += S[i].dot(of_cell[i]);
+        add_friction("volume controller, derivative part",
+                     -coefficient[idx(cell)] * rate_um3_per_s * S[idx(node)]);
+    }
+    if (frictions.contact)
+        add_friction("friction: contacts",
+                     contact_friction_nN(at, *frictions.contact, v, cell, node));
+    for (const NodeForce& row : result.terms) {
+        result.drive_nN += row.force_nN;
+        result.scale_nN += row.force_nN.norm();
+    }
+    result.residual_nN = result.drive_nN;
+    for (const NodeForce& row : result.frictions) {
+        result.residual_nN += row.force_nN;
+        result.scale_nN += row.force_nN.norm();
+    }
+    return result;
+}
+
+}  // namespace spheroscope::inspect
