@@ -2,8 +2,10 @@
 #include "engine/cli/program.hpp"
 #include "engine/cli/reference.hpp"
 #include "engine/cli/verb.hpp"
+#include "engine/cli/verb_inspect.hpp"
 #include "engine/cli/version.hpp"
 #ifdef SPHEROSCOPE_HAS_RENDER
+#include "render/contact_drawer.hpp"
 #include "render/probe.hpp"
 #include "render/verbs.hpp"
 #endif
@@ -19,11 +21,14 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     reports::DrawPlot draw;
     cli::PictureProbe probe;
+    inspect::DrawContact draw_contact;
 #ifdef SPHEROSCOPE_HAS_RENDER
     draw = plot_drawer();
     probe = render::probe_pictures;
+    draw_contact = contact_drawer();
 #endif
     std::vector<cli::Verb> verbs = cli::engine_verbs(draw);
+    verbs.push_back(cli::inspect_verb(draw_contact));
 #ifdef SPHEROSCOPE_HAS_RENDER
     for (cli::Verb& verb : render_verbs()) verbs.push_back(std::move(verb));
 #endif

@@ -1,0 +1,281 @@
+#include "engine/cli/verb_inspect.hpp"
+
+#include "engine/cli/contact_output.hpp"
+#include "engine/cli/frame_choice.hpp"
+#include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
+#include "engine/cli/options.hpp"
+#include "engine/inspect/inspect_contact.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace spheroscope::cli {
+namespace {
+
+using inspect::ContactKey;
+using inspect::FrameSystem;
+
+struct InspectArguments {
+    std::string file;
+    std::string contact;  ///< "17-42"; empty: all contacts of the frame
+    std::string node;     ///< "CELL:NODE"; empty: none
+    FrameChoice frame;
+    bool history = false, events = false, csv = false;
+    CommonOptions common;
+};
+
+struct NodeKey {
+    int cell, node;
+};
+
+NodeKey parse_node(const std::string& text) {
+    NodeKey key{-1, -1};
+    const char *begin = text.data(), *end = begin + text.size();
+    const auto first = std::from_chars(begin, end, key.cell);
+    if (first.ec == std::errc() && first.ptr != end && *first.ptr == ':') {
+        const auto second = std::from_chars(first.ptr + 1, end, key.node);
+        if (second.ec == std::errc() && second.ptr == end) return key;
+    }
+    throw Error("--node wants a cell and one of its nodes, for instance 17:203, got '" + text +
+                "'");
+}
+
+void check(const InspectArguments& arguments) {
+    if (arguments.csv && arguments.common.json)
+        throw Error("--csv and --json exclude each other", "each of them is all of stdout");
+    const auto wants_contact = [&](bool given, const char* option) {
+        if (given && arguments.contact.empty())
+            throw Error(fmt::format("{} is about one contact", option),
+                        "name it with --contact 17-42; without it all contacts are listed");
+    };
+    wants_contact(arguments.history, "--history");
+    wants_contact(arguments.events, "--events");
+    wants_contact(!arguments.common.output.empty(), "-o");
+    const auto whole_run = [&](bool given, const char* option) {
+        if (given && (arguments.frame.frame || !arguments.frame.time.empty()))
+            throw Error(
+                fmt::format("{} is about all frames; --frame and --time are about one", option));
+    };
+    whole_run(arguments.history, "--history");
+    whole_run(arguments.events, "--events");
+    if (!arguments.node.empty() && (arguments.history || arguments.events))
+        throw Error("--node is about one frame; --history and --events are about all");
+    if (arguments.history && arguments.events && arguments.csv)
+        throw Error("--csv is one table: either --history or --events");
+}
+
+/// What is known of the run and the frame, at the top of every document.
+nlohmann::json head_json(const RunFileReader& reader) {
+    return {{"file", reader.path()},
+            {"scene", reader.header()->scene_name},
+            {"version", reader.header()->version},
+            {"cells", reader.header()->n_cells},
+            {"frames", reader.n_frames()},
+            {"complete", reader.is_complete()}};
+}
+
+void add_frame(nlohmann::json& document, const Snapshot& frame) {
+    document["frame"] = frame.frame;
+    document["time_s"] = frame.time_s;
+    document["stage"] = frame.stage_name;
+}
+
+std::string frame_text(const RunFileReader& reader, const Snapshot& frame) {
+    return fmt::format("frame {} of {}, t = {:.6g} s, {}", frame.frame, reader.n_frames(),
+                       frame.time_s, frame.stage_name);
+}
+
+/// The whole run of one contact.
+void show_run(const InspectArguments& arguments, const RunFileReader& reader,
+              const inspect::ContactStory& story) {
+    if (arguments.common.json) {
+        nlohmann::json document = head_json(reader);
+        document["contact"] = story.key.text();
+        if (arguments.history) {
+            nlohmann::json rows = nlohmann::json::array();
+            for (const auto& row : story.history) rows.push_back(summary_json(row));
+            document["history"] = std::move(rows);
+        }
+        if (arguments.events) {
+            nlohmann::json rows = nlohmann::json::array();
+            for (const auto& event : story.events) rows.push_back(event_json(event));
+            document["events"] = std::move(rows);
+        }
+        print_json(document);
+        return;
+    }
+    if (arguments.csv) {
+        fmt::print("{}",
+                   (arguments.history ? history_table(story.history) : events_table(story.events))
+                       .csv_text());
+        return;
+    }
+    fmt::print("contact {} in {}, {} frames\n", story.key.text(), reader.path(), reader.n_frames());
+    if (arguments.history) fmt::print("{}", history_table(story.history).aligned_text());
+    if (!arguments.events) return;
+    if (story.events.empty())
+        fmt::print("no events: the contact neither forms nor breaks, and its force keeps its "
+                   "sign\n");
+    else
+        fmt::print("{}", events_table(story.events).aligned_text());
+}
+
+/// One contact in one frame.
+void show_contact(const InspectArguments& arguments, const RunFileReader& reader,
+                  const SnapshotPtr& frame, const ContactKey& key) {
+    FrameSystem pair(reader.header(), {key.cell_a, key.cell_b}, FrameSystem::Detail::contacts);
+    pair.load(frame);
+    const inspect::ContactReport report = inspect::inspect_contact(pair, key);
+    std::optional<inspect::NodeForces> forces;
+    if (!arguments.node.empty()) {
+        const NodeKey node = parse_node(arguments.node);
+        FrameSystem whole(reader.header(), {}, FrameSystem::Detail::forces);
+        whole.load(frame);
+        forces = inspect::forces_on_node(whole, node.cell, node.node);
+    }
+    if (arguments.common.json) {
+        nlohmann::json document = head_json(reader);
+        add_frame(document, *frame);
+        document["contact"] = report_json(report);
+        if (forces) document["node"] = node_json(*forces);
+        print_json(document);
+    } else if (arguments.csv) {
+        fmt::print("{}", (forces ? node_table(*forces) : map_table(report)).csv_text());
+    } else {
+        fmt::print("contact {}, {}\n{}{}", key.text(), frame_text(reader, *frame),
+                   report_text(report), forces ? node_text(*forces) : "");
+    }
+}
+
+/// All contacts of one frame, or one node without a contact.
+void show_frame(const InspectArguments& arguments, const RunFileReader& reader,
+                const SnapshotPtr& frame) {
+    const bool has_node = !arguments.node.empty();
+    FrameSystem whole(reader.header(), {},
+                      has_node ? FrameSystem::Detail::forces : FrameSystem::Detail::contacts);
+    whole.load(frame);
+    nlohmann::json document = head_json(reader);
+    add_frame(document, *frame);
+    if (has_node) {
+        const NodeKey key = parse_node(arguments.node);
+        const inspect::NodeForces forces = inspect::forces_on_node(whole, key.cell, key.node);
+        document["node"] = node_json(forces);
+        if (arguments.common.json)
+            print_json(document);
+        else if (arguments.csv)
+            fmt::print("{}", node_table(forces).csv_text());
+        else
+            fmt::print("{}{}", frame_text(reader, *frame), node_text(forces));
+        return;
+    }
+    const std::vector<inspect::ContactSummary> contacts = inspect::contacts_of(whole);
+    if (arguments.common.json) {
+        nlohmann::json rows = nlohmann::json::array();
+        for (const auto& row : contacts) rows.push_back(summary_json(row));
+        document["contacts"] = std::move(rows);
+        print_json(document);
+    } else if (arguments.csv) {
+        fmt::print("{}", contacts_table(contacts).csv_text());
+    } else {
+        fmt::print("{}: {} contact{}\n", frame_text(reader, *frame), contacts.size(),
+                   contacts.size() == 1 ? "" : "s");
+        if (!contacts.empty()) fmt::print("{}", contacts_table(contacts).aligned_text());
+    }
+}
+
+void draw(const InspectArguments& arguments, const inspect::ContactStory& story, int frame,
+          const inspect::DrawContact& draw_contact) {
+    const std::string& path = arguments.common.output;
+    const std::string ending = std::filesystem::path(path).extension();
+    if (!draw_contact.sheet)
+        throw Error("this program was built without pictures (SPHEROSCOPE_RENDER)",
+                    "numbers come without -o", ExitCode::environment);
+    if (ending == ".png")
+        draw_contact.sheet(story, frame, path);
+    else
+        draw_contact.movie(story, path);
+    spdlog::info("written to {}", path);
+}
+
+ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invocation,
+                      const inspect::DrawContact& draw_contact) {
+    check(arguments);
+    if (arguments.common.quiet) make_log_quiet();
+    const std::string ending = std::filesystem::path(arguments.common.output).extension();
+    if (!arguments.common.output.empty() && ending != ".png" && ending != ".mp4")
+        throw Error("-o wants a picture sheet (.png) or a movie (.mp4), got '" +
+                    arguments.common.output + "'");
+    std::optional<ContactKey> key;
+    if (!arguments.contact.empty()) key = inspect::parse_contact(arguments.contact);
+    const RunFileReader reader(arguments.file);
+    const int frame = arguments.frame.number(reader);
+    if (key) inspect::check_cells(*reader.header(), *key);
+    if (!reader.is_complete())
+        spdlog::info("{}: the run has not come to its end ({}); these are the {} frames that are "
+                     "there",
+                     reader.path(), reader.outcome().empty() ? "not ended" : reader.outcome(),
+                     reader.n_frames());
+    const bool is_whole_run = arguments.history || arguments.events;
+    if (!key) {
+        show_frame(arguments, reader, reader.frame(frame));
+        return ExitCode::ok;
+    }
+    if (!is_whole_run && arguments.common.output.empty()) {
+        show_contact(arguments, reader, reader.frame(frame), *key);
+        return ExitCode::ok;
+    }
+    inspect::ContactStory story = inspect::tell_contact(
+        reader.header(), [&reader](int i) { return reader.frame(i); }, reader.n_frames(), *key);
+    story.made_by = invocation.version;
+    story.command_line = invocation.command_line;
+    if (is_whole_run) show_run(arguments, reader, story);
+    if (!arguments.common.output.empty()) {
+        // A sheet of a frame without the contact has nothing to show: the numbers say so.
+        if (!is_whole_run && ending == ".png")
+            show_contact(arguments, reader, reader.frame(frame), *key);
+        draw(arguments, story, frame, draw_contact);
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+Verb inspect_verb(const inspect::DrawContact& draw_contact) {
+    return {"inspect", "lists the contacts of a run, or takes one of them apart",
+            [draw_contact](CLI::App& command) -> VerbAction {
+                const auto arguments = std::make_shared<InspectArguments>();
+                command.add_option("FILE", arguments->file, "HDF5 file of a run")->required();
+                command
+                    .add_option("--contact", arguments->contact,
+                                "one contact, by its two cells, for instance 17-42: forces, area, "
+                                "overlaps, pressure map, balance")
+                    ->type_name("A-B");
+                add_frame_options(command, arguments->frame);
+                command
+                    .add_option("--node", arguments->node,
+                                "every force on one node, term by term, with the residual")
+                    ->type_name("CELL:NODE");
+                command.add_flag("--history", arguments->history,
+                                 "the contact's numbers in all frames");
+                command.add_flag("--events", arguments->events,
+                                 "when the contact forms, breaks, or its force changes sign");
+                command.add_flag("--csv", arguments->csv,
+                                 "the table as CSV: contacts, history, events, forces on the node, "
+                                 "or the pressure map of one contact");
+                add_common_options(command, arguments->common,
+                                   {CommonOption::output, CommonOption::json, CommonOption::quiet});
+                return [arguments, draw_contact](const Invocation& invocation) {
+                    return inspect_file(*arguments, invocation, draw_contact);
+                };
+            }};
+}
+
+}  // namespace spheroscope::cli

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/cli/verb.hpp"
+#include "engine/inspect/contact_story.hpp"
+
+namespace spheroscope::cli {
+
+/// `inspect`; the functions that draw are empty in a program without pictures.
+[[nodiscard]] Verb inspect_verb(const inspect::DrawContact& draw_contact);
+
+}  // namespace spheroscope::cli
