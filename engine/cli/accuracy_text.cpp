@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace spheroscope::cli {
@@ -21,10 +22,13 @@ std::string accuracy_text(const std::vector<MeasureError>& errors) {
     for (const MeasureError& error : errors) {
         const double total = error.total();
         std::string parts;
-        for (const auto& [name, part] :
-             {std::pair{"time", error.time}, {"rest", error.rest}, {"mesh", error.mesh}})
+        const auto add = [&](std::string_view name, double part) {
             if (!std::isnan(part))
-                parts += fmt::format("{}{} {:.2g}", parts.empty() ? "" : ", ", name, part);
+                parts += fmt::format("{}{}{:.2g}", parts.empty() ? "" : ", ", name, part);
+        };
+        add(error.time_is_measured ? "time " : "time ~", error.time);
+        add("rest ", error.rest);
+        add("mesh ", error.mesh);
         const std::string unit = error.unit == "1" ? "" : " " + error.unit;
         if (std::isnan(total)) {
             text += fmt::format("  {:<18} {:.5g}{}, error not known\n", error.measure, error.value,
@@ -38,6 +42,10 @@ std::string accuracy_text(const std::vector<MeasureError>& errors) {
         const auto relative = [](const MeasureError& e) { return e.total() / std::abs(e.value); };
         if (worst == nullptr || relative(error) > relative(*worst)) worst = &error;
     }
+    const bool is_rough = std::any_of(errors.begin(), errors.end(), [](const MeasureError& e) {
+        return !std::isnan(e.time) && !e.time_is_measured;
+    });
+    if (is_rough) text += "  ~: an order of magnitude; measures.time_error = true measures it\n";
     if (worst != nullptr)
         text += fmt::format("  largest: {}; {}\n", worst->measure, worst->advice());
     return text;
@@ -51,6 +59,7 @@ nlohmann::json accuracy_json(const std::vector<MeasureError>& errors) {
                         {"value", number_or_null(error.value)},
                         {"error", number_or_null(error.total())},
                         {"time", number_or_null(error.time)},
+                        {"time_is_measured", error.time_is_measured},
                         {"rest", number_or_null(error.rest)},
                         {"mesh", number_or_null(error.mesh)},
                         {"resolved", error.is_resolved()},

@@ -8,6 +8,8 @@
 #include "engine/cli/version.hpp"
 #include "engine/contact/simd_target.hpp"
 #include "engine/run/channels.hpp"
+#include "engine/run/companion.hpp"
+#include "engine/stages/choices.hpp"
 #include "engine/store/checkpoint_file.hpp"
 #include "engine/store/run_file.hpp"
 #include "engine/store/xdmf.hpp"
@@ -137,6 +139,28 @@ void take_from_file(const RunFileReader& reader, const scene::Scene& scene,
     if (is_over(summary.result.verdict)) summary.expectations = check_expectations(scene, *last);
 }
 
+/// The same run with half the steps, without frames. If it comes to no end the error of the time
+/// steps stays an order of magnitude, and the log says why.
+void measure_time_error(const scene::Scene& scene, const EngineOptions& options,
+                        const std::atomic<bool>& stop, RunResult& result) {
+    const MethodRow& method = chosen_method(scene);
+    if (!method.moves_in_time() || result.work.steps == 0) return;
+    spdlog::info("once more with half the steps, for the error of the time steps");
+    EngineOptions once = options;
+    once.wall_limit_s = 0.0;
+    Engine engine(with_half_steps(scene, result.time_s, result.work.steps), once,
+                  given_cells(scene));
+    EngineSinks sinks;
+    sinks.frame = [](const SnapshotPtr&) { return std::optional<std::string>(); };
+    const RunResult other = engine.run(sinks, stop);
+    result.wall_s += other.wall_s;
+    if (is_over(other.verdict))
+        set_time_error(result.errors, other.totals, method.order);
+    else
+        spdlog::warn("the run with half the steps ended as '{}': its error is not measured {}",
+                     other.outcome, other.message);
+}
+
 /// The same run, without frames, on the next coarser mesh. If it comes to no end the error of the
 /// mesh stays unknown, and the log says why.
 void estimate_mesh_error(const scene::Scene& scene, const EngineOptions& options,
@@ -261,6 +285,8 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
         result.message = *reason;
     }
     if (!store.has_failed()) {
+        if (is_over(result.verdict) && scene.measures.time_error)
+            measure_time_error(scene, engine_options, interrupts.stop(), result);
         if (is_over(result.verdict) && scene.measures.mesh_error)
             estimate_mesh_error(scene, engine_options, interrupts.stop(), result);
         store.finish({is_over(result.verdict), result.outcome, result.wall_s, result.errors});

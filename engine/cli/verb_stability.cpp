@@ -41,6 +41,7 @@ reports::ReportTable table_of(const std::vector<reports::StabilityRow>& rows) {
     reports::ReportTable table;
     table.columns = {{"scene"},
                      {"variant"},
+                     {"law"},
                      {"method"},
                      {"expectation"},
                      {"outcome"},
@@ -50,6 +51,7 @@ reports::ReportTable table_of(const std::vector<reports::StabilityRow>& rows) {
                      {"wall_s"},
                      {"largest_step_h0", false},
                      {"force_change", false},
+                     {"pull_off_over_W", false},
                      {"state_hash", false},
                      {"met"},
                      {"message", false},
@@ -63,12 +65,12 @@ reports::ReportTable table_of(const std::vector<reports::StabilityRow>& rows) {
             if (!has_numbers) return reports::Missing{"-"};
             return value;
         };
-        table.rows.push_back({row.scene, row.variant, std::string(row.method->name),
+        table.rows.push_back({row.scene, row.variant, row.law, std::string(row.method->name),
                               row.expectation, row.outcome(), number(row.run.time_s),
                               number(row.run.work.steps), number(row.run.work.rejected_steps),
                               number(row.run.wall_s), number(row.largest_step_h0),
-                              number(row.force_change), hash_text(row.run.state_hash), row.met(),
-                              row.run.message, failures});
+                              number(row.force_change), number(row.pull_off_over_W),
+                              hash_text(row.run.state_hash), row.met(), row.run.message, failures});
     }
     return table;
 }
@@ -85,6 +87,7 @@ nlohmann::json json_of(const std::vector<reports::StabilityRow>& rows) {
                                 {"met", measure.met}});
         runs.push_back({{"scene", row.scene},
                         {"variant", row.variant},
+                        {"law", row.law},
                         {"method", row.method->name},
                         {"expectation", row.expectation},
                         {"outcome", row.outcome()},
@@ -94,6 +97,9 @@ nlohmann::json json_of(const std::vector<reports::StabilityRow>& rows) {
                         {"measures", measures},
                         {"time_s", row.run.time_s},
                         {"steps", row.run.work.steps},
+                        {"largest_step_h0", number_or_null(row.largest_step_h0)},
+                        {"force_change", number_or_null(row.force_change)},
+                        {"pull_off_over_W", number_or_null(row.pull_off_over_W)},
                         {"wall_s", row.run.wall_s},
                         {"hash", hash_text(row.run.state_hash)}});
     }
@@ -115,7 +121,8 @@ std::string notes_of(const std::vector<reports::StabilityRow>& rows) {
 }
 
 /// The steps at which explicit methods blow up, beside the program's own estimates.
-ExitCode climb(const StabilityArguments& arguments, const Invocation& invocation) {
+ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& draw,
+               const Invocation& invocation) {
     const std::vector<std::string> files =
         arguments.scenes.empty() ? scenes_of("bench") : arguments.scenes;
     const InterruptGuard interrupts;
@@ -128,6 +135,7 @@ ExitCode climb(const StabilityArguments& arguments, const Invocation& invocation
                      {"unstable_s"}, {"estimate_s"}, {"estimate_over_stable"},
                      {"trials"},     {"why"}};
     nlohmann::json ladders = nlohmann::json::array();
+    std::vector<reports::StepLadder> climbed;
     for (const std::string& file : files) {
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
         progress.update({file, unknown, unknown, unknown});
@@ -138,8 +146,10 @@ ExitCode climb(const StabilityArguments& arguments, const Invocation& invocation
             nlohmann::json trials = nlohmann::json::array();
             for (const reports::StepTrial& trial : ladder.trials) {
                 if (!trial.is_stable) why = trial.why;
-                trials.push_back(
-                    {{"dt_s", trial.dt_s}, {"stable", trial.is_stable}, {"why", trial.why}});
+                trials.push_back({{"dt_s", trial.dt_s},
+                                  {"stable", trial.is_stable},
+                                  {"shape_error", number_or_null(trial.shape_error)},
+                                  {"why", trial.why}});
             }
             table.rows.push_back({ladder.scene, std::string(ladder.method->name),
                                   ladder.largest_stable_s, ladder.smallest_unstable_s,
@@ -152,23 +162,32 @@ ExitCode climb(const StabilityArguments& arguments, const Invocation& invocation
                                {"estimate_s", number_or_null(ladder.estimate_s)},
                                {"estimate_over_stable", number_or_null(ratio)},
                                {"trials", trials}});
+            climbed.push_back(ladder);
         }
         if (interrupts.stop().load()) break;
     }
     progress.clear();
-    const std::string path = report_folder(arguments.common, "out/stability") + "/steps.csv";
-    write_text_file(path, table.csv_text(report_comments(arguments.common, invocation)));
-    if (arguments.common.json)
-        print_json({{"ladders", ladders}, {"machine", machine_json(arguments.common, invocation)}});
-    else
-        fmt::print("{}\nwritten to {}\n", table.aligned_text(), path);
+    const std::string path = report_folder(arguments.common, "out/stability") + "/steps";
+    write_text_file(path + ".csv", table.csv_text(report_comments(arguments.common, invocation)));
+    std::vector<std::string> written{path + ".csv"};
+    const reports::Plot plot = reports::step_ladder_plot(climbed);
+    if (!plot.panels.empty())
+        for (const std::string& file : draw_report_plot(draw, plot, path)) written.push_back(file);
+    if (arguments.common.json) {
+        print_json({{"ladders", ladders},
+                    {"machine", machine_json(arguments.common, invocation)},
+                    {"files", written}});
+    } else {
+        fmt::print("{}\n", table.aligned_text());
+        for (const std::string& file : written) fmt::print("written to {}\n", file);
+    }
     return code_after_signal(ExitCode::ok);
 }
 
 ExitCode stability(const StabilityArguments& arguments, const reports::DrawPlot& draw,
                    const Invocation& invocation) {
     if (arguments.common.quiet) make_log_quiet();
-    if (arguments.steps) return climb(arguments, invocation);
+    if (arguments.steps) return climb(arguments, draw, invocation);
     const std::vector<std::string> files =
         arguments.scenes.empty() ? scenes_of("stress") : arguments.scenes;
     const InterruptGuard interrupts;

@@ -1,19 +1,27 @@
 // Forces do not depend on where cells are, nor on how everything is turned; numbers of finite
 // length make them. This measures by how much.
 #include "engine/measures/measure_input.hpp"
+#include "engine/measures/totals.hpp"
 #include "engine/reports/stability.hpp"
 #include "engine/stages/build.hpp"
 #include "engine/stages/start_changes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace spheroscope::reports {
 namespace {
 
+/// Totals of a configuration alone; those with a small difference of large numbers in them are left
+/// out.
+constexpr std::array<std::string_view, 5> k_measures{"contact_area", "contact_fraction",
+                                                     "sigma_h_size", "smallest_triangle", "energy"};
+
 struct StartForces {
     std::vector<Vec3> force_nN;
     std::vector<double> sigma_h_kPa;
+    Totals totals{};
 };
 
 StartForces start_forces(const scene::Scene& scene, int threads) {
@@ -30,6 +38,18 @@ StartForces start_forces(const scene::Scene& scene, int threads) {
     if (scene.contact)
         for (const Mat3& stress : cell_stress_tensors(system.configuration(), system.workers()))
             result.sigma_h_kPa.push_back(stress.trace() / 3.0);
+    const Configuration at = system.configuration();
+    const std::vector<Vec3> v_um_per_s(x_um.size(), Vec3::Zero());
+    MeasureInput input{.at = at,
+                       .v_um_per_s = v_um_per_s,
+                       .spring_nN_per_um = {},
+                       .pressure_kPa = {},
+                       .cell_stress_kPa = {}};
+    std::vector<Mat3> stress_kPa;
+    if (scene.contact) stress_kPa = cell_stress_tensors(at);
+    input.cell_stress_kPa = stress_kPa;
+    result.totals = compute_totals(input);
+    result.totals.energy_fJ = system.energy_fJ();
     return result;
 }
 
@@ -52,9 +72,16 @@ double force_change_by_motion(const scene::Scene& scene, int threads) {
         stress_change2 += std::pow(there.sigma_h_kPa[c] - here.sigma_h_kPa[c], 2.0);
         stress_size2 += here.sigma_h_kPa[c] * here.sigma_h_kPa[c];
     }
-    const double of_forces = std::sqrt(change2 / size2);
-    return stress_size2 > 0.0 ? std::max(of_forces, std::sqrt(stress_change2 / stress_size2))
-                              : of_forces;
+    double largest = std::sqrt(change2 / size2);
+    if (stress_size2 > 0.0) largest = std::max(largest, std::sqrt(stress_change2 / stress_size2));
+    for (const std::string_view name : k_measures)
+        for (const TotalsRow& row : all_totals()) {
+            if (row.name != name) continue;
+            const double value = value_of(row, here.totals);
+            if (std::abs(value) > 0.0)
+                largest = std::max(largest, std::abs(value_of(row, there.totals) / value - 1.0));
+        }
+    return largest;
 }
 
 }  // namespace spheroscope::reports

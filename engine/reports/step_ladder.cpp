@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -75,12 +76,13 @@ class Climb {
     /// Tries a step and notes what came of it; true if it holds.
     bool note(double dt_s) {
         const MeasuredRun done = run(dt_s);
-        StepTrial trial{dt_s, done.is_complete(), done.message};
+        StepTrial trial{dt_s, done.is_complete(), done.message, k_undefined};
         if (trial.is_stable)
             for (const Bound& bound : k_bounds)
                 for (const ErrorMeasure& measure : all_error_measures()) {
                     if (measure.name != bound.measure) continue;
                     const double error = measure.compute(done, reference_, scales_);
+                    if (measure.name == "shape") trial.shape_error = error;
                     if (std::isnan(error) || error <= bound.largest) continue;
                     trial.is_stable = false;
                     trial.why = fmt::format("{} is off by {:.3g}", measure.name, error);
@@ -105,6 +107,35 @@ std::vector<StepLadder> climb_steps(const scene::Scene& scene, const StepLadderO
         if (!method.needs_stiffness && !method.adaptive)
             ladders.push_back(Climb(scene, method, options).climb());
     return ladders;
+}
+
+Plot step_ladder_plot(const std::vector<StepLadder>& ladders) {
+    Plot plot;
+    plot.title = "Explicit steps, up to where they blow up";
+    for (const StepLadder& ladder : ladders) {
+        Plot::Panel panel{ladder.scene, "step (s)", "error of the shape at the end", {}};
+        Plot::Series holds{"holds", {}, {}}, fails{"does not hold", {}, {}};
+        std::vector<StepTrial> trials = ladder.trials;
+        std::sort(trials.begin(), trials.end(),
+                  [](const StepTrial& p, const StepTrial& q) { return p.dt_s < q.dt_s; });
+        double least = std::numeric_limits<double>::infinity(), most = 0.0;
+        for (const StepTrial& trial : trials) {
+            if (!(trial.shape_error > 0.0) || !std::isfinite(trial.shape_error)) continue;
+            Plot::Series& series = trial.is_stable ? holds : fails;
+            series.x.push_back(trial.dt_s);
+            series.y.push_back(trial.shape_error);
+            least = std::min(least, trial.shape_error);
+            most = std::max(most, trial.shape_error);
+        }
+        for (Plot::Series* series : {&holds, &fails})
+            if (!series->x.empty()) panel.series.push_back(std::move(*series));
+        if (panel.series.empty()) continue;
+        if (ladder.estimate_s > 0.0)
+            panel.series.push_back(
+                {"the program's own limit", {ladder.estimate_s, ladder.estimate_s}, {least, most}});
+        plot.panels.push_back(std::move(panel));
+    }
+    return plot;
 }
 
 }  // namespace spheroscope::reports

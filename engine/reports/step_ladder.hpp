@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/reports/measured_run.hpp"
+#include "engine/reports/plot.hpp"
 #include "engine/solve/method.hpp"
 
 #include <string>
@@ -12,7 +13,8 @@ namespace spheroscope::reports {
 struct StepTrial {
     double dt_s = 0.0;
     bool is_stable = false;
-    std::string why;  ///< not stable: the message, or the measure that went wrong
+    std::string why;           ///< not stable: the message, or the measure that went wrong
+    double shape_error = 0.0;  ///< of the end, RMS of positions over h0; NaN: it did not get there
 };
 
 /// Where a fixed-step explicit method blows up in a scene, beside what the program says itself.
@@ -38,5 +40,9 @@ struct StepLadderOptions {
 /// Throws Error as with_fixed_outputs.
 [[nodiscard]] std::vector<StepLadder> climb_steps(const scene::Scene& scene,
                                                   const StepLadderOptions& options);
+
+/// Error of the end over the step, one panel for each ladder: points that hold, points that do not,
+/// and the program's own largest step.
+[[nodiscard]] Plot step_ladder_plot(const std::vector<StepLadder>& ladders);
 
 }  // namespace spheroscope::reports

@@ -6,6 +6,7 @@
 
 #include "engine/contact/simd_target.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
+#include "engine/run/health.hpp"
 #include "engine/run/snapshot_maker.hpp"
 #include "engine/stages/choices.hpp"
 
@@ -19,12 +20,17 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
+constexpr double k_unknown = std::numeric_limits<double>::quiet_NaN();
+
 /// Interval of measurements in a stage that has no outputs of its own but a condition to check.
 constexpr double k_check_every_s = 1.0;
 
 /// A thread that has less to do than this spends its time waiting for the others: on a busy machine
 /// a doublet of 162 nodes took forty times as long on two threads as on one.
 constexpr std::size_t k_nodes_per_thread = 1000;
+
+/// Model time that cells have to part in before they must not lie inside each other.
+constexpr double k_parting_s = 1.0;
 
 /// Steps of annealing between two looks at the stop flag.
 constexpr int k_anneal_chunk = 200;
@@ -227,12 +233,9 @@ Engine::Next Engine::advance(const scene::Stage& parameters) {
         d.linear_iterations += step.linear_iterations;
         if (!step.accepted) {
             write_checkpoint();
-            result_.verdict = RunVerdict::unstable;
-            result_.outcome = "unstable";
-            result_.message = "t = " + std::to_string(run_.state.time_s) + " s, step " +
-                              std::to_string(d.steps) + ", dt = " + std::to_string(step.dt_s) +
-                              " s: " + step.trouble->text();
-            return Next::stop;
+            Trouble trouble = *step.trouble;
+            name_flattest_triangle(system_->model(), run_.state.x_um, trouble);
+            return stop_unstable(step.dt_s, trouble);
         }
         ++d.steps;
         run_.errors.after_step(step.dt_s, run_.state.v_um_per_s);
@@ -255,6 +258,13 @@ Engine::Next Engine::advance(const scene::Stage& parameters) {
             const bool is_output = parameters.every_s > 0.0 || end != StageEnd::none;
             if (is_output && publish(totals, stage->progress(context)) == Next::stop)
                 return Next::stop;
+            // Overlapping beads leave overlapping cells, which part in a fraction of this time.
+            const bool is_settled =
+                run_.state.time_s >= run_.memory.start_s + k_parting_s || end != StageEnd::none;
+            if (is_settled && scene_.contact)
+                if (const auto trouble =
+                        cells_inside_each_other(*system_, run_.state.x_um, scene_.contact->loc))
+                    return stop_unstable(step.dt_s, *trouble);
         }
         if (end == StageEnd::none && between_steps(stage->progress(context)) == Next::stop)
             return Next::stop;
@@ -262,6 +272,15 @@ Engine::Next Engine::advance(const scene::Stage& parameters) {
     stage->end(context);
     finish_stage(end);
     return Next::go_on;
+}
+
+Engine::Next Engine::stop_unstable(double dt_s, const Trouble& trouble) {
+    result_.verdict = RunVerdict::unstable;
+    result_.outcome = "unstable";
+    result_.message = "t = " + std::to_string(run_.state.time_s) + " s, step " +
+                      std::to_string(run_.diagnostics.steps) + ", dt = " + std::to_string(dt_s) +
+                      " s: " + trouble.text();
+    return Next::stop;
 }
 
 void Engine::finish_stage(StageEnd end) {
@@ -281,18 +300,16 @@ void Engine::finish_stage(StageEnd end) {
 
 std::vector<MeasureError> Engine::estimate_errors() {
     if (run_.diagnostics.steps == 0 || scene_.stages.empty()) return {};
-    const int order = chosen_method(scene_).order;
-    const std::optional<Totals> by_time = totals_moved_by(run_.errors.time_error_um(order));
+    const ErrorCollector& seen = run_.errors;
+    const std::optional<Totals> before = totals_moved_by(seen.last_step_back_um());
     // Only what was to come to rest is wrong by not being there.
     const bool wants_rest =
         std::any_of(scene_.stages.begin(), scene_.stages.end(), [](const scene::Stage& stage) {
             return stage.until != scene::Until::duration;
         });
-    const std::optional<Totals> by_rest =
-        wants_rest ? totals_moved_by(run_.errors.missing_displacement_um(run_.state.time_s))
-                   : std::nullopt;
-    return measure_errors(result_.totals, by_time ? &*by_time : nullptr,
-                          by_rest ? &*by_rest : nullptr);
+    return measure_errors(result_.totals, before ? &*before : nullptr, seen.last_step_s(),
+                          seen.time_error_s(chosen_method(scene_).order),
+                          wants_rest ? seen.missing_time_s(run_.state.time_s) : k_unknown);
 }
 
 std::optional<Totals> Engine::totals_moved_by(std::span<const Vec3> displacement_um) {

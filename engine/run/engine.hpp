@@ -94,6 +94,8 @@ class Engine {
     [[nodiscard]] Next publish(const Totals& totals, double progress);
     /// Reports progress, writes a checkpoint when one is due, obeys stop and the time limit.
     [[nodiscard]] Next between_steps(double progress);
+    /// Ends the run with its reason.
+    [[nodiscard]] Next stop_unstable(double dt_s, const Trouble& trouble);
     void finish_stage(StageEnd end);
     [[nodiscard]] std::vector<MeasureError> estimate_errors();
     /// Measures of the end state moved by this displacement [all nodes]; empty if there is none.

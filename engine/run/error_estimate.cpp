@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 6> k_measures{
 
 /// c of the local error c dt^(p+1) x^(p+1). An Euler method with the exact derivative has 1/2. With
 /// a positive semi-definite K in its place more is left, and steps of the past were taken where
-/// the motion was faster than it is at the end: measured on doublets that spread
+/// the motion was faster than it is at the end: measured on the scenes of scenes/bench
 /// (engine/README.md, 'How wrong').
 constexpr double k_first_order = 2.5;
 constexpr double k_second_order = 0.5;
@@ -43,7 +43,7 @@ std::string MeasureError::advice() const {
     const auto size = [](double part) { return std::isnan(part) ? -1.0 : part; };
     const double largest = std::max({size(time), size(rest), size(mesh)});
     if (largest < 0.0) return "";
-    if (largest == size(mesh)) return "mesh: a finer mesh (cells.nodes) divides it by 2.8";
+    if (largest == size(mesh)) return "mesh: a finer mesh (cells.nodes) divides it by 4";
     if (largest == size(rest)) return "not at rest: a longer relaxation halves it";
     return "time steps: a quarter of method.tolerance, or half of method.dt, halves it";
 }
@@ -73,43 +73,39 @@ void ErrorCollector::forget_velocities() {
     for (std::vector<Vec3>& v : memory.v_um_per_s) v.clear();
 }
 
-std::vector<Vec3> ErrorCollector::time_error_um(int order) const {
+double ErrorCollector::time_error_s(int order) const {
     const Memory& m = memory;
-    const auto& v = m.v_um_per_s;
-    const std::size_t n = v[0].size();
-    if (order < 1 || n == 0 || v[1].size() != n || (order > 1 && v[2].size() != n)) return {};
+    if (order < 1 || m.v_um_per_s[0].empty() || m.v_um_per_s[1].size() != m.v_um_per_s[0].size())
+        return std::numeric_limits<double>::quiet_NaN();
     // A velocity belongs to the middle of its step.
     const double between_s = 0.5 * (m.dt_s[0] + m.dt_s[1]);
-    std::vector<Vec3> e(n);
-    if (order == 1) {
-        for (std::size_t i = 0; i < n; ++i)
-            e[i] = (k_first_order * m.sum_dt2_s2 / between_s) * (v[0][i] - v[1][i]);
-        return e;
-    }
-    const double before_s = 0.5 * (m.dt_s[1] + m.dt_s[2]);
-    const double apart_s = 0.5 * (between_s + before_s);
-    for (std::size_t i = 0; i < n; ++i)
-        e[i] = (k_second_order * m.sum_dt3_s3 / apart_s) *
-               ((v[0][i] - v[1][i]) / between_s - (v[1][i] - v[2][i]) / before_s);
-    return e;
+    const double now = rms(m.v_um_per_s[0]), before = rms(m.v_um_per_s[1]);
+    if (now == 0.0 || before == 0.0) return 0.0;
+    const double rate_per_s = std::abs(std::log(before / now)) / between_s;
+    return order == 1 ? k_first_order * m.sum_dt2_s2 * rate_per_s
+                      : k_second_order * m.sum_dt3_s3 * rate_per_s * rate_per_s;
 }
 
-std::vector<Vec3> ErrorCollector::missing_displacement_um(double stage_s) const {
+double ErrorCollector::missing_time_s(double stage_s) const {
     const Memory& m = memory;
     const double span_s = m.time_s[0] - m.time_s[1];
-    if (m.v_um_per_s[0].empty() || !(span_s > 0.0)) return {};
+    if (m.v_um_per_s[0].empty() || !(span_s > 0.0)) return std::numeric_limits<double>::quiet_NaN();
     const double rate_per_s = m.speed_um_per_s[0] > 0.0
                                   ? std::log(m.speed_um_per_s[1] / m.speed_um_per_s[0]) / span_s
                                   : 0.0;
-    const double horizon_s = rate_per_s * stage_s > 1.0 ? 1.0 / rate_per_s : stage_s;
-    std::vector<Vec3> displacement;
-    displacement.reserve(m.v_um_per_s[0].size());
-    for (const Vec3& v : m.v_um_per_s[0]) displacement.push_back(horizon_s * v);
-    return displacement;
+    return rate_per_s * stage_s > 1.0 ? 1.0 / rate_per_s : stage_s;
 }
 
-std::vector<MeasureError> measure_errors(const Totals& end, const Totals* moved_by_time,
-                                         const Totals* moved_by_rest) {
+std::vector<Vec3> ErrorCollector::last_step_back_um() const {
+    std::vector<Vec3> back;
+    back.reserve(memory.v_um_per_s[0].size());
+    for (const Vec3& v : memory.v_um_per_s[0]) back.push_back(-memory.dt_s[0] * v);
+    return back;
+}
+
+std::vector<MeasureError> measure_errors(const Totals& end, const Totals* before,
+                                         double last_step_s, double time_error_s,
+                                         double missing_time_s) {
     std::vector<MeasureError> errors;
     for (const TotalsRow& row : all_totals()) {
         if (std::find(k_measures.begin(), k_measures.end(), row.name) == k_measures.end()) continue;
@@ -118,15 +114,18 @@ std::vector<MeasureError> measure_errors(const Totals& end, const Totals* moved_
         error.unit = row.unit;
         error.value = value_of(row, end);
         if (std::isnan(error.value)) continue;
-        if (moved_by_time) error.time = std::abs(value_of(row, *moved_by_time) - error.value);
-        if (moved_by_rest) error.rest = std::abs(value_of(row, *moved_by_rest) - error.value);
+        if (before != nullptr) {
+            const double per_s = std::abs(error.value - value_of(row, *before)) / last_step_s;
+            error.time = time_error_s * per_s;
+            error.rest = missing_time_s * per_s;
+        }
         errors.push_back(std::move(error));
     }
     return errors;
 }
 
 void add_mesh_error(std::vector<MeasureError>& errors, const Totals& coarser) {
-    const double factor = 1.0 / (std::pow(2.0, 1.5) - 1.0);
+    constexpr double factor = 1.0 / 3.0;
     for (MeasureError& error : errors)
         for (const TotalsRow& row : all_totals())
             if (row.name == error.measure)

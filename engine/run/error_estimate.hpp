@@ -18,6 +18,7 @@ struct MeasureError {
     double time = std::numeric_limits<double>::quiet_NaN();  ///< by the finite steps
     double rest = std::numeric_limits<double>::quiet_NaN();  ///< by ending before rest
     double mesh = std::numeric_limits<double>::quiet_NaN();  ///< by the finite mesh, if asked for
+    bool time_is_measured = false;  ///< `time` is from a second run, else an order of magnitude
 
     /// Root of the sum of the squares of those that are known; NaN if none is.
     [[nodiscard]] double total() const;
@@ -36,11 +37,14 @@ struct MeasureError {
 /// e' = f'(x) e + c dt^p x^(p+1), to leading order. Since f' x' = x'', and so on for the next
 /// derivatives where f is nearly linear, e = c (sum of dt_n^(p+1)) x^(p+1)(t) is its solution: what
 /// all steps have left behind, propagated to the end, is seen in the last velocities alone. It
-/// vanishes at rest, as it must. Motions with contacts are not nearly linear: c is measured, and
-/// what comes out is an order of magnitude and not a bound.
+/// vanishes at rest, as it must. Velocities that fall at a rate lambda give x^(p+1) = lambda^p x',
+/// which stays among the motions that the cells really make; differences of velocities do not, and
+/// a displacement by a hundredth of h0 against a contact changes stresses more than a whole run
+/// does. So a measure m is wrong by c (sum of dt_n^(p+1)) lambda^p dm/dt. Motions with contacts are
+/// not nearly linear: this is an order of magnitude and not a bound. companion.hpp measures it.
 ///
-/// What ends before rest still moves by v / lambda, with lambda the rate at which the speed has
-/// fallen lately; where it does not fall, by what as much time again as the stage's would bring.
+/// What ends before rest has left dm/dt over lambda, with lambda the rate at which the speed has
+/// fallen lately; where it does not fall, what as much time again as the stage's would bring.
 class ErrorCollector {
   public:
     /// After an accepted step of dt_s that left v in the state.
@@ -50,11 +54,14 @@ class ErrorCollector {
     /// The cells are on another mesh now.
     void forget_velocities();
 
-    /// e [all nodes], um, of a method of this order; empty while there are too few steps or the
-    /// order is 0.
-    [[nodiscard]] std::vector<Vec3> time_error_um(int order) const;
-    /// The displacement that is left to do [all nodes]; stage_s: how long the stage has lasted.
-    [[nodiscard]] std::vector<Vec3> missing_displacement_um(double stage_s) const;
+    /// What the error by time steps of a method of this order is over dm/dt, s; NaN while there are
+    /// too few steps or the order is 0.
+    [[nodiscard]] double time_error_s(int order) const;
+    /// The same for what is left to do; stage_s: how long the stage has lasted.
+    [[nodiscard]] double missing_time_s(double stage_s) const;
+    /// From the end back to where the last step began [all nodes], um.
+    [[nodiscard]] std::vector<Vec3> last_step_back_um() const;
+    [[nodiscard]] double last_step_s() const { return memory.dt_s[0]; }
 
     /// For checkpoints.
     struct Memory {
@@ -67,14 +74,15 @@ class ErrorCollector {
     Memory memory;
 };
 
-/// Estimates from the measures at the end, at the end moved by the time error, and at the end moved
-/// by what is missing; NaN-filled totals leave a part unknown.
-[[nodiscard]] std::vector<MeasureError>
-measure_errors(const Totals& end, const Totals* moved_by_time, const Totals* moved_by_rest);
+/// Estimates from the measures at the end and at the start of the last step, last_step_s before,
+/// with the times of ErrorCollector; a NaN leaves a part unknown.
+[[nodiscard]] std::vector<MeasureError> measure_errors(const Totals& end, const Totals* before,
+                                                       double last_step_s, double time_error_s,
+                                                       double missing_time_s);
 
-/// Adds the error of the mesh from the same run on the mesh of half the fineness: measures converge
-/// with the edge length to the power 3/2 (the contact angle of doublets from 162 to 2562 nodes), so
-/// the finer one is wrong by the difference over 2^(3/2) - 1.
+/// Adds the error of the mesh from the same run on the mesh of half the fineness: areas and
+/// energies converge with the square of the edge length (engine/README.md, 'How wrong'), so the
+/// finer one is wrong by a third of the difference.
 void add_mesh_error(std::vector<MeasureError>& errors, const Totals& coarser);
 
 }  // namespace spheroscope

@@ -330,6 +330,11 @@ const auto& keys() {
             "A pair of triangles is skipped when n_A . n_B is at least this."},
         Key{"contact", "h0", reach<&S::contact, &Contact::h0_um>(), length, positive, {}, {},
             "0.3 um", k_table_2, "Range of adhesion, for each of the two surfaces."},
+        Key{"contact", "allow_coarse_mesh",
+            reach<&S::contact, &Contact::allow_coarse_mesh>(), number, {}, {}, with_adhesion, "",
+            k_ours,
+            "Accept a mesh whose edges are longer than 20 h0, on which the rim of a contact catches: "
+            "contacts stay too small."},
         Key{"contact", "omega_reading", choose<&S::contact, &Contact::omega_reading>(k_readings),
             number, {}, {}, with_adhesion, "", "README, 'Readings of omega'",
             "How omega becomes a work of adhesion W and an equilibrium overlap."},
@@ -428,6 +433,10 @@ const auto& keys() {
         Key{"measures", "touching_area", reach<&S::measures, &Measures::touching_area_um2>(), area,
             not_negative, {}, {}, "0.01 ... 1 um^2", k_ours,
             "Two cells touch above this contact area."},
+        Key{"measures", "time_error", reach<&S::measures, &Measures::time_error>(), number, {}, {},
+            {}, "", k_ours,
+            "Run once more with steps half as long (about twice the time), and say how wrong the "
+            "measures are by the time steps; without it that error is an order of magnitude."},
         Key{"measures", "mesh_error", reach<&S::measures, &Measures::mesh_error>(), number, {}, {},
             {}, "", k_ours,
             "Run once more on the next coarser mesh (about a fifth of the time), and say how wrong "
@@ -493,6 +502,10 @@ const auto& keys() {
             not_negative, {}, {}, "1e-6", "",
             "Bound on the relative change of the forces that shift and turn of [start] make, "
             "turned back; 0: none."},
+        Key{"stability", "pull_off", reach<&S::stability, &Stability::pull_off>(), number,
+            not_negative, {}, with_contact, "0.02", "",
+            "Bound on the relative difference between W and the work, per area that adheres, of "
+            "pulling the two cells of the end apart as rigid bodies; 0: none."},
         Key{"variant", "name", reach<&S::variants, &Variant::name>(), number, {}, required, {}, "",
             "", "In the report."},
         Key{"variant", "set", reach<&S::variants, &Variant::set>(), number, {}, required, {}, "",

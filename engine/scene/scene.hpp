@@ -100,6 +100,7 @@ struct Contact {  // eqns (5)-(7)
     Precision precision = Precision::single_precision;  ///< of the geometry of a pair of triangles
     double reject_cos = 0.0;  ///< traction: a pair is skipped when n_A . n_B >= this
     double h0_um = 0.3;
+    bool allow_coarse_mesh = false;  ///< h0 below a twentieth of an edge is an error without it
     OmegaReading omega_reading = OmegaReading::text;
     double omega_nN_per_um = 0.0;       ///< as given; 0 with reading work_of_adhesion
     double W_nN_per_um = 0.0;           ///< resolved work of adhesion
@@ -170,6 +171,7 @@ struct Measures {
     std::vector<std::string> fields;  ///< rows of the table of fields, evaluated at output times;
                                       ///< resolved: with those that pictures show
     double touching_area_um2 = 0.1;   ///< a pair of cells touches above this contact area
+    bool time_error = false;          ///< run once more with half the steps, for the estimate
     bool mesh_error = false;          ///< run once more on the next coarser mesh, for the estimate
 };
 
@@ -210,6 +212,7 @@ struct Stability {
     double within_s = 0.0;           ///< model time of a stop at the latest; 0: any
     double largest_step_h0 = 0.0;    ///< bound on a node's displacement per step; 0: none
     double forces_kept = 0.0;        ///< bound on the change of forces by [start]; 0: none
+    double pull_off = 0.0;           ///< bound on the pull-off work over W, less 1; 0: none
 };
 
 /// The scene with some keys changed, under a name.

@@ -61,7 +61,9 @@ RunEnd read_end(const File& file) {
         end.errors.push_back(
             {std::string(measure), file.text_attribute(group, "unit"),
              file.double_attribute(group, "value"), file.double_attribute(group, "time"),
-             file.double_attribute(group, "rest"), file.double_attribute(group, "mesh")});
+             file.double_attribute(group, "rest"), file.double_attribute(group, "mesh"),
+             file.has_attribute(group, "time_is_measured") &&
+                 file.int_attribute(group, "time_is_measured") != 0});
     }
     return end;
 }

@@ -28,6 +28,8 @@ void write_end(File& file, const RunEnd& end) {
         file.write_attribute(group, "unit", error.unit);
         file.write_attribute(group, "value", error.value);
         file.write_attribute(group, "time", error.time);
+        file.write_attribute(group, "time_is_measured",
+                             std::int64_t{error.time_is_measured ? 1 : 0});
         file.write_attribute(group, "rest", error.rest);
         file.write_attribute(group, "mesh", error.mesh);
     }

@@ -62,6 +62,20 @@ TEST(SceneResolution, AGivenWorkOfAdhesionIsTakenAsItIs) {
               "belongs with W");
 }
 
+TEST(SceneResolution, ARangeOfAdhesionThatTheMeshCannotCarryIsRefusedUnlessItIsAllowed) {
+    const std::string text = refusal(adhesion("h0 = \"100 nm\"", "omega = \"0.5 nN/um\""));
+    EXPECT_EQ(
+        text,
+        "a.toml:21:1: error: contact.h0 = 0.1 um is too small for the mesh: edges are 2.7 um "
+        "long with cells.nodes = 162, and the rim of a contact catches on them below 0.14 um\n"
+        "  hint: a finer mesh, or contact.allow_coarse_mesh = true for contacts that stay too "
+        "small");
+    const std::vector<Override> finer{{"cells.nodes", "642"}};
+    EXPECT_EQ(read(adhesion("h0 = \"100 nm\"", "omega = 0.5"), finer).contact->h0_um, 0.1);
+    const std::vector<Override> allowed{{"contact.allow_coarse_mesh", "true"}};
+    EXPECT_EQ(read(adhesion("h0 = \"30 nm\"", "omega = 0.5"), allowed).contact->h0_um, 0.03);
+}
+
 TEST(SceneResolution, RatiosOfThePaperGiveItsTableExactly) {
     const auto ratios = [](double gamma_over_omega, double Et_over_omega) {
         return read(with(
