@@ -59,8 +59,7 @@ void FrameSystem::load(SnapshotPtr frame) {
     use_mesh(scene_.stages[idx(frame_->stage)].nodes);
     const std::vector<Vec3> x_um = positions_um();
     if (const auto trouble =
-            system_->evaluate(x_um, volume_integrals_s(x_um), frame_->diagnostics.wall_radius_um,
-                              System::Detail::forces))
+            system_->evaluate(x_um, volume_integrals_s(x_um), frame_->diagnostics.wall_radius_um))
         throw Error("frame " + std::to_string(frame_->frame) + ": " + trouble->text());
 }
 

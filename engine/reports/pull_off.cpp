@@ -57,7 +57,7 @@ class Puller {
         return sum / static_cast<double>(system_.model().n_nodes());
     }
     void evaluate() {
-        const auto trouble = system_.evaluate(x_um_, integral_s_, 0.0, System::Detail::forces);
+        const auto trouble = system_.evaluate(x_um_, integral_s_, 0.0);
         if (trouble) throw Error(trouble->loc, trouble->text(), "", ExitCode::not_converged);
     }
 

@@ -259,9 +259,7 @@ Engine::Next Engine::advance(const scene::Stage& parameters) {
             if (is_output && publish(totals, stage->progress(context)) == Next::stop)
                 return Next::stop;
             // Overlapping beads leave overlapping cells, which part in a fraction of this time.
-            const bool is_settled =
-                run_.state.time_s >= run_.memory.start_s + k_parting_s || end != StageEnd::none;
-            if (is_settled && scene_.contact)
+            if (run_.state.time_s >= k_parting_s && scene_.contact)
                 if (const auto trouble =
                         cells_inside_each_other(*system_, run_.state.x_um, scene_.contact->loc))
                     return stop_unstable(step.dt_s, *trouble);

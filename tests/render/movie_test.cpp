@@ -207,8 +207,9 @@ TEST(Movie, HasAChapterForEachStageAndCarriesItsSceneAndRange) {
         output_of("ffprobe -v error -show_entries format_tags -of default=nw=1:nk=0 " + movie);
     EXPECT_NE(texts.find("TAG:description=title = \"Synthetic aggregate\"\n"), std::string::npos)
         << texts;
-    EXPECT_NE(texts.find("scene synthetic.toml; seed 42; frames 0 to 7; mean_stress -100 to 100 Pa"),
-              std::string::npos)
+    EXPECT_NE(
+        texts.find("scene synthetic.toml; seed 42; frames 0 to 7; mean_stress -100 to 100 Pa"),
+        std::string::npos)
         << texts;
 }
 
