@@ -21,7 +21,7 @@ scene::Scene bench(const std::string& name, std::vector<scene::Override> changes
 }
 
 RunResult run(const scene::Scene& scene) {
-    Engine engine(scene, {.threads = 1});
+    Engine engine(scene, EngineOptions{.threads = 1, .version = "", .command_line = ""});
     EngineSinks sinks;
     sinks.frame = [](const SnapshotPtr&) { return std::optional<std::string>(); };
     RunResult result = engine.run(sinks, std::atomic<bool>{false});
