@@ -1,4 +1,4 @@
-# The program: engine/cli/main.cpp, with the verbs of render/ where pictures are built.
+# The program: engine/cli/main.cpp, with the verbs of render/ and viewer/ where these are built.
 add_custom_target(spheroscope_version
   COMMAND ${CMAKE_COMMAND} -D OUTPUT=${PROJECT_BINARY_DIR}/version.cpp
           -D SOURCE_DIR=${PROJECT_SOURCE_DIR} -D VERSION=${PROJECT_VERSION}
@@ -17,4 +17,10 @@ if(SPHEROSCOPE_RENDER AND render_verbs)
   target_sources(spheroscope PRIVATE ${render_verbs})
   target_compile_definitions(spheroscope PRIVATE SPHEROSCOPE_HAS_RENDER)
   spheroscope_use_render(spheroscope)
+endif()
+
+if(TARGET spheroscope_viewer)
+  target_sources(spheroscope PRIVATE ${PROJECT_SOURCE_DIR}/viewer/verb_view.cpp)
+  target_compile_definitions(spheroscope PRIVATE SPHEROSCOPE_HAS_VIEWER)
+  target_link_libraries(spheroscope PRIVATE spheroscope_viewer)
 endif()

@@ -73,13 +73,6 @@ std::vector<double> smooth(const std::vector<double>& values, int half) {
     return result;
 }
 
-/// Decimals that tell neighbouring frames apart: 1 down to a tenth of a second between them, 2 to a
-/// hundredth.
-int decimals_for(double smallest_interval_s) {
-    if (!std::isfinite(smallest_interval_s)) return 1;
-    return std::clamp(static_cast<int>(std::ceil(-std::log10(smallest_interval_s) - 1e-9)), 1, 4);
-}
-
 /// The movie, or why there will be none: pictures are worth having without it.
 struct MovieOrReason {
     std::unique_ptr<MovieWriter> writer;
@@ -97,6 +90,11 @@ struct MovieOrReason {
 };
 
 }  // namespace
+
+int time_decimals(double smallest_interval_s) {
+    if (!std::isfinite(smallest_interval_s)) return 1;
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(smallest_interval_s) - 1e-9)), 1, 4);
+}
 
 std::vector<double> fit_radii(std::span<const double> extent_um, double fps) {
     const auto [smallest, largest] = std::minmax_element(extent_um.begin(), extent_um.end());
@@ -142,7 +140,7 @@ Survey survey_frames(FrameSource& frames, const scene::Picture& picture) {
         last_time_s = snapshot->time_s;
     }
     survey.fit_radius_um = fit_radii(extent_um, picture.fps);
-    survey.time_decimals = decimals_for(smallest_interval_s);
+    survey.time_decimals = time_decimals(smallest_interval_s);
     if (finder) {
         survey.range = picture.range == "given"
                            ? Range{picture.given_range[0], picture.given_range[1]}

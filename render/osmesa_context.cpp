@@ -144,6 +144,15 @@ OsmesaContext::~OsmesaContext() {
     hidden_->window->Finalize();
 }
 
+void OsmesaContext::set_size(int width_px, int height_px) {
+    Hidden& h = *hidden_;
+    if (width_px == h.width && height_px == h.height) return;
+    h.mesa.make_current();
+    h.width = width_px;
+    h.height = height_px;
+    h.window->SetSize(width_px, height_px);
+}
+
 void OsmesaContext::draw(vtkActor* actor, const Camera& camera, double reach_um, Buffers& buffers) {
     Hidden& h = *hidden_;
     SPHEROSCOPE_ASSERT(h.thread == std::this_thread::get_id(),

@@ -36,6 +36,9 @@ class OsmesaContext {
     OsmesaContext(const OsmesaContext&) = delete;
     OsmesaContext& operator=(const OsmesaContext&) = delete;
 
+    /// Of all that is drawn from now on.
+    void set_size(int width_px, int height_px);
+
     /// Draws one actor on white. `camera` is in pixels of this context; everything within reach_um
     /// of its focal point is inside the depth range.
     void draw(vtkActor* actor, const Camera& camera, double reach_um, Buffers& buffers);

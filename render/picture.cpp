@@ -92,12 +92,18 @@ int find_picture_field(const RunHeader& header, const scene::Picture& picture) {
                 "fields of this run: " + (held.empty() ? "none" : held));
 }
 
+namespace {
+
+/// Drawn pixels along each side of a final one.
+int most_samples(const scene::Picture& picture) { return picture.smooth ? 2 : 1; }
+
+}  // namespace
+
 struct Renderer::Hidden {
     std::shared_ptr<const RunHeader> header;
     scene::Picture picture;
     int field_index = -1;
     const Field* field = nullptr;
-    int n_samples;          // drawn pixels along each side of a final one
     OsmesaContext context;  // before the layers: they are destroyed first
     CellSurfaces surfaces;
     std::unique_ptr<ForceNetwork> network;
@@ -105,12 +111,16 @@ struct Renderer::Hidden {
     Buffers cells_drawn, network_drawn;
 
     Hidden(std::shared_ptr<const RunHeader> run, const scene::Picture& wanted)
-        : header(std::move(run)), picture(wanted),
-          field_index(find_picture_field(*header, picture)),
-          field(field_index < 0 ? nullptr : header->fields[static_cast<std::size_t>(field_index)]),
-          n_samples(picture.smooth ? 2 : 1),
-          context(n_samples * picture.size_px[0], n_samples * picture.size_px[1]) {
-        if (picture.network) {
+        : header(std::move(run)), context(most_samples(wanted) * wanted.size_px[0],
+                                          most_samples(wanted) * wanted.size_px[1]) {
+        set_picture(wanted);
+    }
+
+    void set_picture(const scene::Picture& wanted) {
+        field_index = find_picture_field(*header, wanted);
+        field = field_index < 0 ? nullptr : header->fields[static_cast<std::size_t>(field_index)];
+        picture = wanted;
+        if (picture.network && network == nullptr) {
             const double sum =
                 std::accumulate(header->radius_um.begin(), header->radius_um.end(), 0.0);
             network = std::make_unique<ForceNetwork>(sum / header->n_cells);
@@ -173,20 +183,28 @@ void Renderer::Hidden::draw_network(const Snapshot& snapshot, const Camera& came
 
 Renderer::Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture) {
     check_picture(picture);
+    static_cast<void>(find_picture_field(*header, picture));  // before OpenGL is asked for anything
     hidden_ = std::make_unique<Hidden>(std::move(header), picture);
 }
 
 Renderer::~Renderer() = default;
 
+void Renderer::set_picture(const scene::Picture& picture) {
+    check_picture(picture);
+    hidden_->set_picture(picture);
+}
+
 Image Renderer::render(const Snapshot& snapshot, const View& view) {
     Hidden& h = *hidden_;
     SPHEROSCOPE_ASSERT(snapshot.centre_um.size() == 3 * static_cast<std::size_t>(h.header->n_cells),
                        "the snapshot belongs to the renderer's run");
+    const int n_samples = view.quality == Quality::full ? most_samples(h.picture) : 1;
+    h.context.set_size(n_samples * h.picture.size_px[0], n_samples * h.picture.size_px[1]);
     const Camera final_camera = camera(snapshot, view);
     Camera drawn_camera = final_camera;
-    drawn_camera.px_per_um *= h.n_samples;
-    drawn_camera.centre_x_px *= h.n_samples;
-    drawn_camera.centre_y_px *= h.n_samples;
+    drawn_camera.px_per_um *= n_samples;
+    drawn_camera.centre_x_px *= n_samples;
+    drawn_camera.centre_y_px *= n_samples;
     const double reach_um = 1.05 * aggregate_extent_um(snapshot);
 
     Furniture furniture;
@@ -196,7 +214,7 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
     furniture.px_per_um = final_camera.px_per_um;
     // A bar or a network beside cells that show neither would be read into them.
     const bool has_mechanics = shows_field(snapshot);
-    const bool draws_network = has_mechanics && h.network != nullptr;
+    const bool draws_network = has_mechanics && h.picture.network;
     if (has_mechanics) {
         furniture.notes = notes(snapshot.totals);
         furniture.field = h.field;
@@ -210,7 +228,7 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
     h.colour_cells(snapshot, h.drawn_cells(snapshot, final_camera, cutaway), furniture);
     h.context.draw(h.surfaces.actor(), drawn_camera, reach_um, h.cells_drawn);
     if (draws_network) h.draw_network(snapshot, drawn_camera, reach_um, cutaway, furniture);
-    Image image = make_image(h.cells_drawn, h.n_samples, drawn_camera.px_per_um);
+    Image image = make_image(h.cells_drawn, n_samples, drawn_camera.px_per_um);
     draw_furniture(image, h.text, furniture);
     return image;
 }

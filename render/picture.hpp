@@ -16,6 +16,10 @@ namespace spheroscope::render {
 /// there is no mechanics that a field could show: cells are plain then.
 [[nodiscard]] bool shows_field(const Snapshot& snapshot);
 
+/// How a picture is drawn: `full` is what movies have; `draft` has one drawn pixel for each of the
+/// picture, jagged edges and less than half the time, for views that are being turned by hand.
+enum class Quality { full, draft };
+
 /// What changes from frame to frame besides the snapshot.
 struct View {
     /// Half the height that the aggregate is given; the caller passes the largest extent of a
@@ -27,6 +31,7 @@ struct View {
     double turned_deg = 0.0;  ///< besides: by the shots of a movie
     std::optional<bool> cutaway;  ///< unset: the picture's
     int time_decimals = 1;
+    Quality quality = Quality::full;
 };
 
 /// Middle of the aggregate: the cells' centres weighted with their volumes, um.
@@ -42,6 +47,10 @@ class Renderer {
     /// empty range (usage), or when nothing can be drawn here (environment).
     Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture);
     ~Renderer();
+
+    /// Another picture of the same run from now on. Throws like the constructor, with nothing
+    /// changed.
+    void set_picture(const scene::Picture& picture);
 
     /// Precondition: the snapshot has this run's cells and fields, at least one cell, finite
     /// positions.

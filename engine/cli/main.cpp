@@ -9,6 +9,9 @@
 #include "render/probe.hpp"
 #include "render/verbs.hpp"
 #endif
+#ifdef SPHEROSCOPE_HAS_VIEWER
+#include "viewer/verbs.hpp"
+#endif
 
 #include <csignal>
 #include <string>
@@ -31,6 +34,9 @@ int main(int argc, char** argv) {
     verbs.push_back(cli::inspect_verb(draw_contact));
 #ifdef SPHEROSCOPE_HAS_RENDER
     for (cli::Verb& verb : render_verbs()) verbs.push_back(std::move(verb));
+#endif
+#ifdef SPHEROSCOPE_HAS_VIEWER
+    verbs.push_back(view_verb());
 #endif
     verbs.push_back(cli::doctor_verb(probe));
     verbs.push_back(cli::man_verb(verbs));

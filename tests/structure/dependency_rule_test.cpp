@@ -114,6 +114,17 @@ TEST(DependencyRule, PicturesDoNotSeeHowTheEngineComputes) {
               Violations{});
 }
 
+TEST(DependencyRule, ThePanelSeesPicturesAndItsModelDoesNot) {
+    const std::string picture = "#include \"render/picture.hpp\"\n";
+    EXPECT_EQ(find_violations("viewer/app.cpp", picture + "#include <imgui.h>\n"), Violations{});
+    EXPECT_EQ(find_violations("viewer/model/a.cpp", picture).size(), 1U);
+    EXPECT_EQ(find_violations("viewer/model/a.cpp", "#include <imgui.h>\n").size(), 1U);
+    EXPECT_EQ(find_violations("viewer/model/a.cpp", "#include \"viewer/app.hpp\"\n").size(), 1U);
+    EXPECT_EQ(find_violations("render/a.cpp", "#include \"viewer/model/view.hpp\"\n").size(), 1U);
+    EXPECT_EQ(find_violations("viewer/app.cpp", "#include \"engine/solve/method.hpp\"\n").size(),
+              1U);
+}
+
 TEST(DependencyRule, AFolderWithoutARowIsReported) {
     EXPECT_EQ(find_violations("engine/magic/a.hpp", ""),
               Violations{"engine/magic/a.hpp: the dependency rule has no row for engine/magic"});

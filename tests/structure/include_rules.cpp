@@ -13,7 +13,8 @@
 //     reports, inspect <- cli
 //
 // Pictures see what a run publishes (model, measures, run, store, scene) and the command line for
-// their verbs, never how the engine computes it.
+// their verbs, never how the engine computes it. The panel sees the same and the pictures; its
+// model (viewer/model) sees the engine's part of it and nothing that draws.
 namespace spheroscope::structure {
 namespace {
 
@@ -43,6 +44,8 @@ const std::map<std::string, std::set<std::string>>& allowed_folders() {
         {"engine/cli", with(staged, {"stages", "run", "store", "reports", "inspect"})},
         {"render",
          {"base", "model", "scene", "measures", "run", "store", "reports", "inspect", "cli"}},
+        {"viewer/model", {"base", "model", "scene", "measures", "run"}},
+        {"viewer", {"base", "model", "scene", "measures", "run", "store", "cli"}},
     };
     return table;
 }
@@ -52,8 +55,10 @@ const std::regex k_heavy_library(R"(hdf5\.h|H5.*|toml.*)");
 const std::set<std::string> k_light_headers{"engine/model",   "engine/forces", "engine/friction",
                                             "engine/contact", "engine/solve",  "engine/measures"};
 
-/// "engine/forces" of "engine/forces/bending.hpp"; "render" of everything below render/.
+/// "engine/forces" of "engine/forces/bending.hpp"; "render" of everything below render/; "viewer"
+/// of everything below viewer/ but viewer/model.
 std::string folder_of(const std::string& path) {
+    if (path.rfind("viewer/model/", 0) == 0) return "viewer/model";
     const std::size_t first = path.find('/');
     const std::string top = path.substr(0, first);
     if (top != "engine" || first == std::string::npos) return top;
@@ -68,22 +73,24 @@ bool is_header(const std::string& path) {
 /// Why `path`, in `folder`, may not include `header`; "" when it may.
 std::string objection(const std::string& path, const std::string& folder,
                       const std::string& header) {
-    const bool in_engine = folder != "render";
+    const bool may_draw = folder == "render" || folder == "viewer";
     const std::string target = folder_of(header);
-    if (target == "render" || target == "viewer") {
+    if (target == "render" || target == "viewer" || target == "viewer/model") {
         // the program is where all verbs meet
         if (path == "engine/cli/main.cpp" &&
-            (header == "render/verbs.hpp" || header == "render/contact_drawer.hpp"))
+            (header == "render/verbs.hpp" || header == "render/contact_drawer.hpp" ||
+             header == "render/probe.hpp" || header == "viewer/verbs.hpp"))
             return "";
-        return in_engine || target == "viewer" ? folder + " may not include " + target : "";
+        const bool allowed = target == folder || folder == "viewer";
+        return allowed ? "" : folder + " may not include " + target;
     }
     if (target.rfind("engine/", 0) == 0) {
         const std::string name = target.substr(std::string("engine/").size());
         const bool allowed = target == folder || allowed_folders().at(folder).count(name) > 0;
         return allowed ? "" : folder + " may not include " + target;
     }
-    if (in_engine && std::regex_match(header, k_display_library))
-        return "engine/ may not include what draws";
+    if (!may_draw && std::regex_match(header, k_display_library))
+        return folder + " may not include what draws";
     if (is_header(path) && k_light_headers.count(folder) > 0 &&
         std::regex_match(header, k_heavy_library))
         return "headers of " + folder + " may not include libraries for files";
@@ -94,8 +101,9 @@ std::string objection(const std::string& path, const std::string& folder,
 
 std::vector<Violation> find_violations(const std::string& path, const std::string& text) {
     const std::string folder = folder_of(path);
-    const bool in_engine = path.rfind("engine/", 0) == 0;
-    if (!in_engine && folder != "render") return {};
+    const bool is_ours = path.rfind("engine/", 0) == 0 || path.rfind("render/", 0) == 0 ||
+                         path.rfind("viewer/", 0) == 0;
+    if (!is_ours) return {};
     if (allowed_folders().count(folder) == 0)
         return {path + ": the dependency rule has no row for " + folder};
 

@@ -1,0 +1,33 @@
+#!/bin/sh
+# Makes panel.png: the end of scenes/tour/first_light.toml in the panel, on a display of its own.
+# Needs xvfb, xdotool and imagemagick, which makes the file small: 255 colours.
+#   assets/figures/panel.sh [PROGRAM [RUN]]
+set -e
+cd "$(dirname "$0")/../.."
+program=${1:-build/spheroscope}
+run=${2:-out/first_light/run.h5}
+[ -f "$run" ] || "$program" run scenes/tour/first_light.toml -o "$(dirname "$run")"
+folder=$(mktemp -d)
+Xvfb -displayfd 3 -screen 0 1760x1060x24 -nolisten tcp 3>"$folder/display" 2>"$folder/server.log" &
+server=$!
+trap 'kill $server; rm -r "$folder"' EXIT
+until [ -s "$folder/display" ]; do sleep 0.1; done
+DISPLAY=:$(cat "$folder/display")
+export DISPLAY
+"$program" view "$run" -o "$folder" --json >"$folder/report.json" 2>"$folder/log" &
+panel=$!
+until_log() { until grep -q "$1" "$folder/log"; do kill -0 $panel && sleep 0.1; done; }
+until_log 'first picture'
+until_log 'frames were read'
+xdotool mousemove 300 950 key End
+sleep 2 # for the picture of the last frame
+xdotool mousemove 466 391 click 1
+until_log picked
+xdotool mousemove 300 950
+sleep 1 # for the ring and the table
+xdotool key shift+p
+until_log 'written to'
+xdotool key ctrl+q
+wait $panel
+cat "$folder/report.json"
+convert "$folder/panel.png" -strip -dither FloydSteinberg -colors 255 assets/figures/panel.png

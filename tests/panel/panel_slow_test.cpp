@@ -1,0 +1,185 @@
+// The panel as a person meets it: the real program in a window on a virtual display (Xvfb), with
+// keys and mouse events of the X server (xdotool). What came of them is in the document that the
+// program prints at the end.
+#include "render/image_diff.hpp"
+#include "render/png.hpp"
+#include "tests/cli/program_runner.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <set>
+#include <string>
+
+namespace spheroscope {
+namespace {
+
+class PanelRun : public ProgramRunner {
+  protected:
+    /// A short run in out/run.h5, with a picture.
+    void make_run() {
+        write_file("scene.toml", with(all_stages_scene(), "[320, 200]", "[640, 360]"));
+        const Outcome made = call({"run", "scene.toml", "-o", "out", "--quiet", "--threads", "1"});
+        ASSERT_EQ(made.code, 0) << made.err;
+    }
+};
+
+class Panel : public PanelRun {
+  protected:
+    void SetUp() override {
+        for (const char* program : {"Xvfb", "xdotool"})
+            if (shell(std::string("command -v ") + program).code != 0)
+                GTEST_SKIP() << program << " is not installed (Debian: xvfb, xdotool)";
+    }
+
+    /// Shows `arguments` on a display of its own; `script` has input for when the whole run has
+    /// been read and its first picture is there. The log says when something is done, so that
+    /// nothing depends on how fast this machine is: `until_log TEXT` waits for it. Ctrl Q at the
+    /// end closes the panel.
+    Outcome show(const std::string& arguments, const std::string& script,
+                 const std::string& server_options = "") {
+        return shell("Xvfb -displayfd 3 -screen 0 1760x1060x24 -nolisten tcp " + server_options +
+                     " 3>display 2>server.log & server=$!\n"
+                     "for i in $(seq 200); do [ -s display ] && break; sleep 0.05; done\n"
+                     "export DISPLAY=:$(cat display)\n"
+                     "\"$PROGRAM\" view " +
+                     arguments +
+                     " --json >report.json 2>log & panel=$!\n"
+                     "until_log() { for i in $(seq 600); do grep -q \"$1\" log && break; "
+                     "kill -0 $panel 2>/dev/null || break; sleep 0.05; done; }\n"
+                     "until_log 'frames were read'; until_log 'first picture'\n"
+                     // a moment for the panel to draw what it was told
+                     "settle() { sleep ${1:-0.6}; }\n"
+                     "xdotool mousemove 300 950\n" +
+                     script +
+                     "\nwait $panel; code=$?; cat report.json; cat log >&2; kill $server; "
+                     "wait $server 2>/dev/null; exit $code");
+    }
+
+    static nlohmann::json document(const Outcome& outcome) {
+        return nlohmann::json::parse(outcome.out);
+    }
+};
+
+TEST_F(Panel, KeysMoveThroughTheFrames) {
+    make_run();
+    const Outcome outcome = show("out/run.h5", "xdotool key Right Right Right Left; settle\n"
+                                               "xdotool key shift+Right; settle\n"
+                                               "xdotool key ctrl+q");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const nlohmann::json report = document(outcome);
+    EXPECT_EQ(report["frame"], 12);
+    EXPECT_GT(report["frames"], 12);
+}
+
+TEST_F(Panel, ADragTurnsTheViewAndUndoTurnsItBack) {
+    make_run();
+    const std::string drag = "xdotool mousemove 300 200 mousedown 1; settle 0.2\n"
+                             "xdotool mousemove 360 200; settle 0.2\n"
+                             "xdotool mousemove 420 200; settle 0.2\n"
+                             "xdotool mouseup 1; settle\n";
+    const Outcome turned = show("out/run.h5", drag + "xdotool key ctrl+q");
+    ASSERT_EQ(turned.code, 0) << turned.err;
+    EXPECT_EQ(document(turned)["view"].get<std::string>().find("azimuth = \"30 deg\""),
+              std::string::npos);
+    EXPECT_GT(document(turned)["draft_s"], 0.0);  // it was drawn while it was turned
+    const Outcome back = show("out/run.h5", drag + "xdotool key ctrl+z; settle\n"
+                                                   "xdotool key ctrl+q");
+    EXPECT_NE(document(back)["view"].get<std::string>().find("azimuth = \"30 deg\""),
+              std::string::npos);
+}
+
+TEST_F(Panel, AClickPicksAndTheTableCanBeCopied) {
+    make_run();
+    // the middle of the picture of 640 x 360, left of its keys, inside the panel's margins
+    const Outcome outcome = show("out/run.h5", "xdotool key End; settle 1\n"
+                                               "xdotool mousemove 240 205 click 1\n"
+                                               "until_log picked\n"
+                                               "xdotool key ctrl+t\n"
+                                               "xdotool key ctrl+q");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const nlohmann::json report = document(outcome);
+    ASSERT_TRUE(report["selection"].is_object());
+    const std::string copied = report["copied"];
+    EXPECT_NE(copied.find("of,quantity,value,unit"), std::string::npos);
+    EXPECT_NE(copied.find("cell " + std::to_string(report["selection"]["cell"].get<int>())),
+              std::string::npos);
+}
+
+TEST_F(Panel, ShowsThePixelsThatTheMovieHas) {
+    make_run();
+    ASSERT_EQ(call({"movie", "out/run.h5", "--quiet"}).code, 0);
+    const Outcome outcome = show("out/run.h5", "xdotool key End p\n"
+                                               "until_log 'written to'\n"
+                                               "xdotool key ctrl+q");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const nlohmann::json report = document(outcome);
+    ASSERT_EQ(report["files"].size(), 1U);
+    const int last = report["frame"];
+    char name[32];
+    std::snprintf(name, sizeof name, "%06d.png", last);
+    const render::PngFile saved = render::read_png(path(report["files"][0].get<std::string>()));
+    const render::PngFile drawn = render::read_png(path("out/frames/main") / name);
+    EXPECT_TRUE(saved.image == drawn.image);
+    EXPECT_EQ(saved.texts.at("Fingerprint"), drawn.texts.at("Fingerprint"));
+}
+
+TEST_F(Panel, IsNeitherEmptyNorOfOneColour) {
+    make_run();
+    const Outcome outcome = show("out/run.h5", "xdotool key End; settle 1\n"
+                                               "xdotool key shift+p\n"
+                                               "until_log 'written to'\n"
+                                               "xdotool key ctrl+q");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const render::Image panel = render::read_png(path("out/panel.png")).image;
+    ASSERT_GT(panel.width, 1000);
+    std::set<int> colours;
+    const auto count_in = [&](int x0, int y0, int x1, int y1) {
+        colours.clear();
+        for (int y = y0; y < y1; ++y)
+            for (int x = x0; x < x1; ++x) {
+                const render::Rgb c = panel.at(x, y);
+                colours.insert((c.r << 16) | (c.g << 8) | c.b);
+            }
+        return colours.size();
+    };
+    EXPECT_GT(count_in(20, 20, 660, 380), 100U);                             // the picture
+    EXPECT_GT(count_in(panel.width - 360, 20, panel.width - 10, 300), 20U);  // the controls
+    EXPECT_GT(count_in(20, panel.height - 150, panel.width - 20, panel.height - 10), 20U);  // plots
+}
+
+TEST_F(Panel, SurvivesAWindowOfNothing) {
+    make_run();
+    const Outcome outcome = show("out/run.h5", "id=$(xdotool search --name spheroscope | head -1)\n"
+                                               "xdotool windowsize $id 1 1; settle\n"
+                                               "xdotool windowsize $id 300 200; settle\n"
+                                               "xdotool windowsize $id 1720 1010; settle\n"
+                                               "xdotool key Right; settle\n"
+                                               "xdotool key ctrl+q");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(document(outcome)["frame"], 1);
+}
+
+TEST_F(PanelRun, WithoutADisplaySaysWhatToDoInstead) {
+    make_run();
+    const Outcome outcome = shell("unset DISPLAY WAYLAND_DISPLAY; \"$PROGRAM\" view out/run.h5");
+    EXPECT_EQ(outcome.code, 5);
+    EXPECT_NE(outcome.err.find("needs a display"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("`movie`"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Panel, OnAServerWithoutOpenGlSaysSo) {
+    make_run();
+    const Outcome outcome = show("out/run.h5", "", "-extension GLX");
+    EXPECT_EQ(outcome.code, 5) << outcome.err;
+    EXPECT_NE(outcome.err.find("OpenGL"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Panel, RefusesWhatIsNoRun) {
+    write_file("no.h5", "not a run");
+    const Outcome outcome = show("no.h5", "");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+}
+
+}  // namespace
+}  // namespace spheroscope

@@ -1,0 +1,98 @@
+#include "tests/viewer/two_cells.hpp"
+#include "viewer/model/series.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace spheroscope::viewer {
+namespace {
+
+const SeriesRow& row_of(std::string_view name) {
+    for (const SeriesRow& row : all_series())
+        if (row.name == name) return row;
+    throw std::out_of_range(std::string(name));
+}
+
+TEST(Health, MarksTheFramesThatAreBeyondALimit) {
+    std::vector<FrameSummary> run(4);
+    for (int i = 0; i < 4; ++i) {
+        run[static_cast<std::size_t>(i)].frame = i;
+        run[static_cast<std::size_t>(i)].totals.smallest_triangle = 0.5;
+    }
+    run[2].totals.smallest_triangle = 0.02;
+    run[3].totals.smallest_triangle = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(bad_frames(row_of("smallest triangle"), run), std::vector<int>{2});
+    EXPECT_TRUE(bad_frames(row_of("Z"), run).empty());  // has no limit
+}
+
+TEST(Health, AWallThatPressesIsNoLackOfBalance) {
+    std::vector<FrameSummary> run(3);
+    for (int i = 0; i < 3; ++i) {
+        run[static_cast<std::size_t>(i)].frame = i;
+        run[static_cast<std::size_t>(i)].diagnostics.force_balance_nN = 5.0;
+    }
+    run[0].diagnostics.wall_radius_um = 20.0;
+    run[1].diagnostics.force_balance_nN = 1e-9;
+    EXPECT_EQ(bad_frames(row_of("force balance"), run), std::vector<int>{2});
+}
+
+TEST(Health, NamesTheCellThatIsToBlame) {
+    const auto snapshot = two_cells();
+    snapshot->volume_um3[1] *= 1.1F;
+    EXPECT_EQ(worst_cell(row_of("volume error"), *snapshot), 1);
+    // two corners of a triangle of cell 0 fall together
+    const MeshTopology::Triangle t = snapshot->header->topology->triangles[9];
+    for (std::size_t k = 0; k < 3; ++k)
+        snapshot->x_um[3 * static_cast<std::size_t>(t[0]) + k] =
+            snapshot->x_um[3 * static_cast<std::size_t>(t[1]) + k];
+    EXPECT_EQ(worst_cell(row_of("smallest triangle"), *snapshot), 0);
+    EXPECT_EQ(worst_cell(row_of("Z"), *snapshot), -1);
+}
+
+TEST(RadialStress, OfEqualCellsIsTheirValueEverywhere) {
+    const auto snapshot = two_cells();
+    snapshot->fields[0] = {-0.02F, -0.02F};
+    const Curve curve = radial_stress(*snapshot);
+    ASSERT_EQ(curve.x.size(), 10U);
+    for (const float value : curve.y) EXPECT_NEAR(value, -20.0F, 1e-3F);
+}
+
+TEST(RadialStress, OfTwoCellsSideBySideIsTheirMean) {
+    // Half of the points are nearer to either: 5 Pa, and a bin of n points scatters by 25 /
+    // sqrt(n). The innermost bin has 10 of the 10 000, the outermost 2710.
+    const Curve curve = radial_stress(*two_cells());
+    EXPECT_NEAR(curve.y.back(), 5.0F, 4.0F * 25.0F / std::sqrt(2710.0F));
+}
+
+TEST(RadialStress, NeedsMechanicsAndContacts) {
+    const auto snapshot = two_cells();
+    snapshot->stage_name = "anneal";
+    EXPECT_TRUE(radial_stress(*snapshot).x.empty());
+    snapshot->stage_name = "relax";
+    snapshot->links.clear();
+    EXPECT_TRUE(radial_stress(*snapshot).x.empty());
+}
+
+TEST(ForceDistribution, IsADensityOfTheCompressiveForces) {
+    const auto snapshot = two_cells();
+    snapshot->links.clear();
+    for (int k = 0; k < 200; ++k)
+        snapshot->links.push_back({0, 1, -std::log((static_cast<float>(k) + 0.5F) / 200.0F), 1.0F});
+    snapshot->links.push_back({0, 1, -50.0F, 1.0F});  // tension: not counted
+    const Curve curve = force_distribution(*snapshot);
+    ASSERT_GT(curve.x.size(), 5U);
+    const float width = curve.x[1] - curve.x[0];
+    EXPECT_NEAR(std::accumulate(curve.y.begin(), curve.y.end(), 0.0F) * width, 1.0F, 1e-4F);
+    // exponential: the density falls by the factor exp(-width) from bin to bin
+    EXPECT_NEAR(curve.y[1] / curve.y[0], std::exp(-width), 0.1F);
+}
+
+TEST(ForceDistribution, OfHardlyAnyForceIsNothing) {
+    EXPECT_TRUE(force_distribution(*two_cells()).x.empty());
+}
+
+}  // namespace
+}  // namespace spheroscope::viewer

@@ -1,0 +1,306 @@
+#include "viewer/app.hpp"
+
+#include "engine/base/error.hpp"
+#include "render/png.hpp"
+#include "render/provenance.hpp"
+#include "viewer/painter.hpp"
+#include "viewer/panels/panel.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace spheroscope::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+constexpr double k_moving_wait_s = 1.0 / 60.0, k_still_wait_s = 0.1;
+/// The survey goes on in another thread; copies of it are made this often.
+constexpr double k_survey_every_s = 0.2;
+
+constexpr float k_right_px = 372.0F, k_below_px = 232.0F, k_message_px = 64.0F;
+
+std::optional<Key> key_of(int glfw_key) {
+    switch (glfw_key) {
+    case GLFW_KEY_SPACE: return Key::space;
+    case GLFW_KEY_LEFT: return Key::left;
+    case GLFW_KEY_RIGHT: return Key::right;
+    case GLFW_KEY_HOME: return Key::home;
+    case GLFW_KEY_END: return Key::end;
+    case GLFW_KEY_B: return Key::b;
+    case GLFW_KEY_C: return Key::c;
+    case GLFW_KEY_P: return Key::p;
+    case GLFW_KEY_Q: return Key::q;
+    case GLFW_KEY_T: return Key::t;
+    case GLFW_KEY_Y: return Key::y;
+    case GLFW_KEY_Z: return Key::z;
+    default: return {};
+    }
+}
+
+class App {
+  public:
+    App(Window& window, Frames& frames, PanelModel& model, const AppSettings& settings)
+        : window_(window), frames_(frames), model_(model), settings_(settings),
+          survey_(frames.survey()), painter_([] { Window::wake(); }) {}
+
+    AppReport run();
+
+  private:
+    void take_input();
+    void act(Action action);
+    void pick_at(const Sight& sight);
+    void take_news();
+    void request_picture();
+    void take_picture();
+    void save_wanted_picture();
+    void write_image(const std::string& name, const render::Image& image,
+                     const render::PngTexts& texts);
+    void draw_panels();
+
+    Window& window_;
+    Frames& frames_;
+    PanelModel& model_;
+    const AppSettings& settings_;
+    const Clock::time_point begin_ = Clock::now();
+
+    RunSurvey survey_;
+    Clock::time_point surveyed_at_{};
+    struct Wanted {
+        SnapshotPtr snapshot;
+        ViewSettings view;
+        int n_surveyed = -1;
+        render::Quality quality = render::Quality::full;
+        bool operator==(const Wanted&) const = default;
+    };
+    Wanted requested_;
+    int n_requests_ = 0;
+    std::optional<PaintedPicture> shown_;
+    SnapshotPtr curves_of_;
+    Curve radial_stress_, force_distribution_;
+    bool saves_picture_ = false, saves_panel_ = false;
+    std::string status_;
+    AppReport report_;
+    Painter painter_;  // last: its thread starts when all else is there
+};
+
+AppReport App::run() {
+    Clock::time_point last = Clock::now();
+    while (true) {
+        const bool moves = model_.playback.is_playing() || model_.wants_draft();
+        if (!window_.begin_frame(moves ? k_moving_wait_s : k_still_wait_s)) break;
+        const double wall_s = seconds_since(last);
+        last = Clock::now();
+        take_input();
+        take_news();
+        model_.playback.advance(wall_s, model_.view.now().picture.fps);
+        request_picture();
+        take_picture();
+        draw_panels();
+        window_.end_frame();
+        if (std::exchange(saves_panel_, false)) write_image("panel", window_.panel(), {});
+    }
+    return report_;
+}
+
+void App::take_input() {
+    for (const KeyPress& press : window_.take_keys())
+        if (const std::optional<Key> key = key_of(press.key))
+            if (const auto action = PanelModel::action_of(*key, press.shift, press.control))
+                act(*action);
+}
+
+void App::act(Action action) {
+    const std::optional<Action> left = model_.act(action);
+    if (!left) return;
+    const auto copy = [&](const std::string& text, const std::string& what) {
+        window_.set_clipboard(text);
+        report_.copied = text;
+        model_.message = what + " is in the clipboard";
+    };
+    try {
+        switch (*left) {
+        case Action::quit: window_.close(); break;
+        case Action::save_picture: saves_picture_ = true; break;
+        case Action::save_panel: saves_panel_ = true; break;
+        case Action::copy_view: copy(view_text(model_.view.now()), "the view"); break;
+        case Action::copy_table:
+            if (model_.selection && shown_)
+                copy(csv_text(*shown_->request.snapshot,
+                              describe(*shown_->request.snapshot, *model_.selection)),
+                     "the table");
+            break;
+        case Action::bookmark:
+            write_bookmarks(bookmarks_path(settings_.run_file), model_.bookmarks);
+            model_.message = "bookmarked in " + bookmarks_path(settings_.run_file);
+            break;
+        default: break;
+        }
+    } catch (const Error& error) {
+        model_.message = error.what();
+    }
+}
+
+void App::pick_at(const Sight& sight) {
+    const Clock::time_point begin = Clock::now();
+    model_.selection = pick(*shown_->request.snapshot, sight);
+    report_.longest_pick_s = std::max(report_.longest_pick_s, seconds_since(begin));
+    if (model_.selection)
+        spdlog::info("picked node {} of cell {}", model_.selection->node, model_.selection->cell);
+}
+
+void App::take_news() {
+    for (const double time_s : frames_.take_new_times()) model_.playback.add_frame(time_s);
+    if (frames_.n_surveyed() != survey_.n_frames() &&
+        (seconds_since(surveyed_at_) > k_survey_every_s ||
+         frames_.n_surveyed() == model_.playback.n_frames())) {
+        survey_ = frames_.survey();
+        surveyed_at_ = Clock::now();
+        if (survey_.n_frames() == model_.playback.n_frames())
+            spdlog::info("all {} frames were read after {:.2f} s", survey_.n_frames(),
+                         seconds_since(begin_));
+    }
+    status_ = frames_.failure();
+    if (status_.empty() && survey_.n_frames() < model_.playback.n_frames())
+        status_ = fmt::format("reading the run: {} of {}; until then the colours are those of each "
+                              "frame",
+                              survey_.n_frames(), model_.playback.n_frames());
+}
+
+void App::request_picture() {
+    const int frame = model_.playback.frame();
+    SnapshotPtr snapshot = frame < 0 ? nullptr : frames_.frame(frame);
+    if (snapshot == nullptr) return;  // the one on show stays until it is there
+    const int n_frames = model_.playback.n_frames();
+    Wanted wanted{std::move(snapshot), model_.view.now(),
+                  survey_.n_frames() == n_frames ? n_frames : 0,
+                  model_.wants_draft() ? render::Quality::draft : render::Quality::full};
+    if (wanted == requested_) return;
+    render::View view = survey_.view_of(*wanted.snapshot, wanted.view.picture, n_frames);
+    view.quality = wanted.quality;
+    painter_.request({wanted.snapshot, wanted.view.picture, view, ++n_requests_});
+    requested_ = std::move(wanted);
+}
+
+void App::take_picture() {
+    if (std::optional<PaintedPicture> painted = painter_.take()) {
+        if (!shown_) {
+            report_.first_picture_s = seconds_since(begin_);
+            spdlog::info("first picture after {:.2f} s", report_.first_picture_s);
+        }
+        (painted->request.view.quality == render::Quality::draft ? report_.draft_s
+                                                                 : report_.full_s) =
+            painted->took_s;
+        window_.set_picture(painted->image);
+        shown_ = std::move(painted);
+    }
+    if (!shown_) return;
+    const SnapshotPtr& snapshot = shown_->request.snapshot;
+    if (snapshot != curves_of_) {
+        curves_of_ = snapshot;
+        radial_stress_ = viewer::radial_stress(*snapshot);
+        force_distribution_ = viewer::force_distribution(*snapshot);
+    }
+    save_wanted_picture();
+}
+
+/// Saves what is on show as soon as it is what was asked for, in full quality and with what all
+/// frames have to say about range and scale.
+void App::save_wanted_picture() {
+    const PictureRequest& request = shown_->request;
+    const bool is_current =
+        request.number == n_requests_ && request.snapshot->frame == model_.playback.frame() &&
+        requested_.view == model_.view.now() && requested_.quality == render::Quality::full;
+    const bool knows_all =
+        requested_.n_surveyed == model_.playback.n_frames() || !frames_.failure().empty();
+    if (!saves_picture_ || !is_current || !knows_all) return;
+    saves_picture_ = false;
+    write_image(fmt::format("{}_{:06d}", request.picture.name, request.snapshot->frame),
+                shown_->image,
+                render::make_provenance(*request.snapshot, request.picture, request.view,
+                                        settings_.drawn_by));
+}
+
+void App::write_image(const std::string& name, const render::Image& image,
+                      const render::PngTexts& texts) {
+    const std::string path = (std::filesystem::path(settings_.folder) / (name + ".png")).string();
+    try {
+        render::write_png(path, image, texts);
+        report_.files.push_back(path);
+        model_.message = "written to " + path;
+        spdlog::info("written to {}", path);
+    } catch (const Error& error) {
+        model_.message = error.what();
+    }
+}
+
+void App::draw_panels() {
+    const SnapshotPtr snapshot = shown_ ? shown_->request.snapshot : nullptr;
+    PanelContext panel{model_,
+                       *frames_.header(),
+                       shown_ ? &*shown_ : nullptr,
+                       snapshot,
+                       survey_.summaries(),
+                       radial_stress_,
+                       force_distribution_,
+                       status_,
+                       [this](Action action) { act(action); },
+                       [this](const Sight& sight) { pick_at(sight); },
+                       window_.picture_texture(),
+                       window_.small_font()};
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.0F, 0.0F});
+    ImGui::SetNextWindowSize(size);
+    ImGui::Begin("panel", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float left = room.x - k_right_px - 8.0F, above = room.y - k_below_px - 8.0F;
+    ImGui::BeginChild("picture side", {std::max(1.0F, left), std::max(1.0F, above)}, true,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    draw_picture(panel, left - 24.0F, above - 20.0F);
+    ImGui::EndChild();
+    ImGui::SameLine();
+    ImGui::BeginGroup();
+    ImGui::BeginChild("right", {0.0F, std::max(1.0F, above - k_message_px - 6.0F)}, true);
+    for (const PanelRow& row : all_panels()) {
+        if (row.side != Side::right) continue;
+        const ImGuiTreeNodeFlags flags =
+            row.opened ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+        if (ImGui::CollapsingHeader(std::string(row.title).c_str(), flags)) row.draw(panel);
+    }
+    ImGui::EndChild();
+    ImGui::BeginChild("message", {0.0F, k_message_px}, true);
+    ImGui::PushFont(window_.small_font());
+    if (!status_.empty()) ImGui::TextWrapped("%s", status_.c_str());
+    if (!model_.message.empty()) ImGui::TextWrapped("%s", model_.message.c_str());
+    ImGui::PopFont();
+    ImGui::EndChild();
+    ImGui::EndGroup();
+    ImGui::BeginChild("below", {0.0F, 0.0F}, true, ImGuiWindowFlags_NoScrollbar);
+    for (const PanelRow& row : all_panels())
+        if (row.side == Side::below) row.draw(panel);
+    ImGui::EndChild();
+    ImGui::End();
+}
+
+}  // namespace
+
+AppReport run_app(Window& window, Frames& frames, PanelModel& model, const AppSettings& settings) {
+    return App(window, frames, model, settings).run();
+}
+
+}  // namespace spheroscope::viewer

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "viewer/frames.hpp"
+#include "viewer/model/panel_model.hpp"
+#include "viewer/window.hpp"
+
+#include <string>
+#include <vector>
+
+namespace spheroscope::viewer {
+
+struct AppSettings {
+    std::string run_file;  ///< bookmarks and pictures go beside it
+    std::string folder;    ///< for pictures
+    std::string drawn_by;  ///< version of this program, for the pictures' texts
+};
+
+/// What a session came to.
+struct AppReport {
+    double first_picture_s = -1.0;  ///< wall time from the call; < 0: there was none
+    double longest_pick_s = 0.0;
+    double draft_s = 0.0, full_s = 0.0;  ///< of the last picture of either quality; 0: none
+    std::vector<std::string> files;      ///< that were written
+    std::string copied;                  ///< what went into the clipboard last
+};
+
+/// Shows the panel until it is closed. Throws Error when nothing can be drawn.
+[[nodiscard]] AppReport run_app(Window& window, Frames& frames, PanelModel& model,
+                                const AppSettings& settings);
+
+}  // namespace spheroscope::viewer

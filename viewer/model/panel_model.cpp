@@ -1,0 +1,101 @@
+#include "viewer/model/panel_model.hpp"
+
+#include "engine/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace spheroscope::viewer {
+
+std::span<const KeyRow> all_keys() {
+    using enum Action;
+    static constexpr std::array<KeyRow, 17> rows{{
+        {Key::space, false, false, toggle_playing, "Space", "play, pause"},
+        {Key::left, false, false, back, "←", "one frame back"},
+        {Key::right, false, false, forward, "→", "one frame on"},
+        {Key::left, true, false, back_10, "Shift ←", "ten frames back"},
+        {Key::right, true, false, forward_10, "Shift →", "ten frames on"},
+        {Key::home, false, false, first, "Home", "first frame"},
+        {Key::end, false, false, last, "End", "last frame"},
+        {Key::z, false, true, undo, "Ctrl Z", "undo a change of the view"},
+        {Key::y, false, true, redo, "Ctrl Y", "redo it"},
+        {Key::z, true, true, redo, "Ctrl Shift Z", "redo it"},
+        {Key::p, false, false, save_picture, "P", "save the picture, as the movie has it"},
+        {Key::p, true, false, save_panel, "Shift P", "save the whole panel"},
+        {Key::c, false, true, copy_view, "Ctrl C", "copy the view as scene text"},
+        {Key::t, false, true, copy_table, "Ctrl T", "copy the table as CSV"},
+        {Key::b, false, false, bookmark, "B", "bookmark frame and view"},
+        {Key::q, false, true, quit, "Ctrl Q", "quit"},
+        {Key::q, false, false, quit, "Q", "quit"},
+    }};
+    return rows;
+}
+
+PanelModel::PanelModel(std::vector<scene::Picture> presets)
+    : view(ViewSettings{presets.at(0)}), presets_(std::move(presets)) {}
+
+std::optional<Action> PanelModel::action_of(Key key, bool shift, bool control) {
+    for (const KeyRow& row : all_keys())
+        if (row.key == key && row.shift == shift && row.control == control) return row.action;
+    return {};
+}
+
+std::optional<Action> PanelModel::act(Action action) {
+    switch (action) {
+    case Action::toggle_playing: playback.toggle_playing(); return {};
+    case Action::back: playback.step(-1); return {};
+    case Action::forward: playback.step(1); return {};
+    case Action::back_10: playback.step(-10); return {};
+    case Action::forward_10: playback.step(10); return {};
+    case Action::first: playback.go_to(0); return {};
+    case Action::last: playback.go_to(playback.n_frames() - 1); return {};
+    case Action::undo: view.undo(); return {};
+    case Action::redo: view.redo(); return {};
+    case Action::save_picture:
+        playback.step(0);  // playing ends: the picture of the frame that was asked for is drawn
+        return action;
+    case Action::bookmark: add_bookmark(); return action;
+    default: return action;
+    }
+}
+
+void PanelModel::drag(double right_px, double down_px) {
+    view.change(turned(view.now(), right_px, down_px));
+}
+
+void PanelModel::go_to_typed_time(const std::string& text) {
+    try {
+        playback.go_to_time(parse_time_s(text));
+        message.clear();
+    } catch (const Error& error) {
+        message = error.what();
+    }
+}
+
+void PanelModel::go_to_blame(int frame, const SeriesRow& row) {
+    playback.go_to(frame);
+    blaming_ = &row;
+    blamed_frame_ = frame;
+}
+
+void PanelModel::pick_blamed(const Snapshot& on_show) {
+    if (playback.frame() != blamed_frame_) blaming_ = nullptr;
+    if (blaming_ == nullptr || on_show.frame != blamed_frame_) return;
+    const int cell = worst_cell(*blaming_, on_show);
+    if (cell >= 0) selection = Pick{cell, 0, 0, -1, Vec3::Zero()};
+    blaming_ = nullptr;
+}
+
+void PanelModel::add_bookmark() {
+    if (playback.frame() < 0) return;
+    bookmarks.push_back({fmt::format("frame {}, {}", playback.frame(), view.now().picture.field),
+                         playback.frame(), view.now()});
+}
+
+void PanelModel::open(const Bookmark& bookmark) {
+    playback.go_to(bookmark.frame);
+    view.change(bookmark.view);
+}
+
+}  // namespace spheroscope::viewer

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "viewer/model/bookmarks.hpp"
+#include "viewer/model/history.hpp"
+#include "viewer/model/pick.hpp"
+#include "viewer/model/playback.hpp"
+#include "viewer/model/series.hpp"
+#include "viewer/model/view.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spheroscope::viewer {
+
+/// What a key, a button or a click asks for.
+enum class Action {
+    toggle_playing,
+    back,
+    forward,
+    back_10,
+    forward_10,
+    first,
+    last,
+    undo,
+    redo,
+    save_picture,
+    save_panel,
+    copy_view,
+    copy_table,
+    bookmark,
+    quit,
+};
+
+/// Keys by name; the window knows their numbers.
+enum class Key { space, left, right, home, end, b, c, p, q, t, y, z };
+
+/// A row of the table of keys; the window, the help and the tests loop over it.
+struct KeyRow {
+    Key key;
+    bool shift, control;
+    Action action;
+    std::string_view keys, meaning;
+};
+[[nodiscard]] std::span<const KeyRow> all_keys();
+
+/// Everything that the panel knows, without a window: what is shown, and how input changes it.
+class PanelModel {
+  public:
+    /// The scene's own pictures, at least one; the first is shown.
+    explicit PanelModel(std::vector<scene::Picture> presets);
+
+    Playback playback;
+    History<ViewSettings> view;
+    std::vector<Bookmark> bookmarks;
+    std::optional<Pick> selection;
+    std::string message;                ///< the last thing that there was to say
+    std::array<char, 32> typed_time{};  ///< what stands in the field for a time
+
+    [[nodiscard]] const std::vector<scene::Picture>& presets() const { return presets_; }
+    void change_view(const ViewSettings& to) { view.change(to); }
+
+    /// Does what can be done here. What needs a window or files (pictures, clipboard, bookmarks'
+    /// file, quitting) is returned for the caller to do.
+    [[nodiscard]] std::optional<Action> act(Action action);
+    /// The action of a key; nothing if it has none.
+    [[nodiscard]] static std::optional<Action> action_of(Key key, bool shift, bool control);
+
+    void begin_drag() { view.begin_drag(); }
+    void drag(double right_px, double down_px);
+    void end_drag() { view.end_drag(); }
+    /// While the view is being turned, speed matters more than smooth edges.
+    [[nodiscard]] bool wants_draft() const { return view.is_being_moved(); }
+
+    /// A time as typed; what is wrong with it becomes the message.
+    void go_to_typed_time(const std::string& text);
+    /// Goes to a frame in which a row is beyond its limit. Its cell is picked once the frame is on
+    /// show, by pick_blamed(), if nobody has gone elsewhere by then.
+    void go_to_blame(int frame, const SeriesRow& row);
+    void pick_blamed(const Snapshot& on_show);
+    void add_bookmark();
+    void open(const Bookmark& bookmark);
+
+  private:
+    std::vector<scene::Picture> presets_;
+    const SeriesRow* blaming_ = nullptr;  ///< the row whose cell is to be picked
+    int blamed_frame_ = -1;
+};
+
+}  // namespace spheroscope::viewer

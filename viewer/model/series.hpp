@@ -1,0 +1,61 @@
+#pragma once
+
+#include "engine/run/snapshot.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spheroscope::viewer {
+
+/// What is kept of a frame for plots over time, when its arrays are gone.
+struct FrameSummary {
+    int frame = 0;
+    double time_s = 0.0;
+    std::string stage_name;
+    Totals totals{};
+    Diagnostics diagnostics;
+};
+[[nodiscard]] FrameSummary summary_of(const Snapshot& snapshot);
+
+/// Beads that are being seeded touch, but nothing about them is mechanics yet.
+[[nodiscard]] inline bool has_mechanics(std::string_view stage_name) {
+    return stage_name != "anneal";
+}
+
+/// A number of the whole aggregate over time: a row of the table of plots, and of the health strip
+/// where it has a limit.
+struct SeriesRow {
+    std::string_view name, unit;
+    double (*value)(const FrameSummary&);  ///< in `unit`; NaN: undefined
+    double largest, smallest;              ///< healthy between these; infinite: no limit
+    std::string_view meaning;              ///< why a value beyond is bad; "" without limits
+};
+[[nodiscard]] std::span<const SeriesRow> all_series();
+
+/// Whether a value is beyond the row's limits. Undefined values are not.
+[[nodiscard]] bool is_bad(const SeriesRow& row, double value);
+/// Indices of the frames that are.
+[[nodiscard]] std::vector<int> bad_frames(const SeriesRow& row, std::span<const FrameSummary> run);
+
+/// The cell that is to blame in this frame, where the row can say it; else -1. It has the smallest
+/// triangle of all, over the mean of its cell, or the largest volume error.
+[[nodiscard]] int worst_cell(const SeriesRow& row, const Snapshot& snapshot);
+
+/// Points of a curve or bars of a histogram.
+struct Curve {
+    std::vector<float> x, y;
+};
+
+/// sigma_h over the distance from the middle of the aggregate in R_th: means over 10 000 points
+/// that are spread at random in the ball of radius R_th, each with the value of the cell whose
+/// centre is nearest, in ten bins (Cuvelier et al. 2021, section 2; the number of bins is chosen
+/// here). Pa. Empty without contacts, and while beads are being seeded.
+[[nodiscard]] Curve radial_stress(const Snapshot& snapshot);
+
+/// Distribution of f = F / <F> over the compressive contacts, as a density, in Doane's bins (Doane
+/// 1976). Empty with fewer than three, and while beads are being seeded.
+[[nodiscard]] Curve force_distribution(const Snapshot& snapshot);
+
+}  // namespace spheroscope::viewer

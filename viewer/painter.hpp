@@ -1,0 +1,58 @@
+#pragma once
+
+#include "render/picture.hpp"
+
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace spheroscope::viewer {
+
+/// What a picture is to show.
+struct PictureRequest {
+    SnapshotPtr snapshot;
+    scene::Picture picture;
+    render::View view;
+    int number = 0;  ///< tells requests apart
+};
+
+struct PaintedPicture {
+    PictureRequest request;
+    render::Image image;
+    render::Camera camera;
+    double took_s = 0.0;
+};
+
+/// Draws pictures in a thread of its own, which owns the OSMesa context. The newest request wins:
+/// whoever turns a view wants to see where it is, not where it was.
+class Painter {
+  public:
+    /// `on_news` is called in the drawing thread after each picture.
+    explicit Painter(std::function<void()> on_news);
+    ~Painter();
+    Painter(const Painter&) = delete;
+    Painter& operator=(const Painter&) = delete;
+
+    void request(PictureRequest wanted);
+    /// The newest picture, once. Throws what went wrong while drawing.
+    [[nodiscard]] std::optional<PaintedPicture> take();
+
+  private:
+    void paint_all();
+
+    const std::function<void()> on_news_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    // guarded by mutex_
+    bool is_over_ = false;
+    std::optional<PictureRequest> wanted_;
+    std::optional<PaintedPicture> painted_;
+    std::exception_ptr failure_;
+
+    std::thread thread_;  // last
+};
+
+}  // namespace spheroscope::viewer

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "viewer/model/panel_model.hpp"
+#include "viewer/model/series.hpp"
+#include "viewer/painter.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+struct ImFont;
+
+namespace spheroscope::viewer {
+
+/// What panels read and change. Made anew for each frame of the panel.
+struct PanelContext {
+    PanelModel& model;
+    const RunHeader& header;
+    const PaintedPicture* shown;              ///< the picture on show; nullptr before the first
+    SnapshotPtr snapshot;                     ///< what it shows
+    std::span<const FrameSummary> summaries;  ///< of the frames that were looked at so far
+    const Curve& radial_stress;               ///< of the snapshot
+    const Curve& force_distribution;
+    const std::string& status;
+    std::function<void(Action)> act;
+    std::function<void(const Sight&)> pick_at;
+    void* texture;
+    ImFont* small_font;
+};
+
+/// Where a panel stands.
+enum class Side { right, below };
+
+/// One row of the table of panels. A new panel is a new file and one row.
+struct PanelRow {
+    std::string_view title;
+    Side side;
+    bool opened;  ///< at the start; panels on the right can be folded
+    void (*draw)(PanelContext&);
+};
+[[nodiscard]] std::span<const PanelRow> all_panels();
+
+// One file each.
+void draw_picture(PanelContext& panel, float width, float height);
+void draw_view(PanelContext& panel);
+void draw_selection(PanelContext& panel);
+void draw_bookmarks(PanelContext& panel);
+void draw_keys(PanelContext& panel);
+void draw_timeline(PanelContext& panel);
+void draw_health(PanelContext& panel);
+void draw_plots(PanelContext& panel);
+
+}  // namespace spheroscope::viewer

@@ -1,0 +1,47 @@
+#include "viewer/run_survey.hpp"
+
+#include "render/movie.hpp"
+
+#include <algorithm>
+
+namespace spheroscope::viewer {
+
+RunSurvey::RunSurvey(const RunHeader& header) {
+    for (const Field* field : header.fields) finders_.emplace_back(*field);
+}
+
+void RunSurvey::add(const Snapshot& snapshot) {
+    if (render::shows_field(snapshot))
+        for (std::size_t f = 0; f < finders_.size(); ++f) finders_[f].add(snapshot.fields[f]);
+    if (!summaries_.empty() && snapshot.time_s > summaries_.back().time_s)
+        smallest_interval_s_ =
+            std::min(smallest_interval_s_, snapshot.time_s - summaries_.back().time_s);
+    extent_um_.push_back(render::aggregate_extent_um(snapshot));
+    summaries_.push_back(summary_of(snapshot));
+}
+
+render::View RunSurvey::view_of(const Snapshot& snapshot, const scene::Picture& picture,
+                                int n_frames) const {
+    render::View view;
+    // While frames are still missing a range of those that are there would change under the eye.
+    const bool knows_all = this->n_frames() == n_frames;
+    if (knows_all && n_frames > 0 && snapshot.frame < n_frames) {
+        // A look between frames has the scale of the last one.
+        const int frame = snapshot.frame < 0 ? n_frames - 1 : snapshot.frame;
+        view.fit_radius_um =
+            render::fit_radii(extent_um_, picture.fps)[static_cast<std::size_t>(frame)];
+    }
+    view.progress = n_frames > 1 && snapshot.frame >= 0
+                        ? static_cast<double>(snapshot.frame) / (n_frames - 1)
+                        : 0.0;
+    view.time_decimals = render::time_decimals(smallest_interval_s_);
+    const int field = render::find_picture_field(*snapshot.header, picture);
+    if (field >= 0 && picture.range == "given")
+        view.range = render::Range{picture.given_range[0], picture.given_range[1]};
+    if (knows_all && picture.range == "run")
+        view.range =
+            field < 0 ? render::Range{} : finders_[static_cast<std::size_t>(field)].range();
+    return view;
+}
+
+}  // namespace spheroscope::viewer

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/scene/scene.hpp"
+#include "render/picture.hpp"
+#include "render/range.hpp"
+#include "viewer/model/series.hpp"
+
+#include <limits>
+#include <vector>
+
+namespace spheroscope::viewer {
+
+/// What pictures and plots need to know of all frames of a run, gathered as they come in order:
+/// ranges of all fields, extents, the numbers of the whole aggregate. A movie finds the same in its
+/// first pass.
+class RunSurvey {
+  public:
+    explicit RunSurvey(const RunHeader& header);
+
+    void add(const Snapshot& snapshot);
+
+    [[nodiscard]] int n_frames() const { return static_cast<int>(summaries_.size()); }
+    [[nodiscard]] const std::vector<FrameSummary>& summaries() const { return summaries_; }
+    /// The view of one frame in a movie of `n_frames` frames. With range = "run" the range is that
+    /// of all frames that were added; with the same frames, pixels are those of the movie.
+    [[nodiscard]] render::View view_of(const Snapshot& snapshot, const scene::Picture& picture,
+                                       int n_frames) const;
+
+  private:
+    std::vector<render::RangeFinder> finders_;  // one for each field
+    std::vector<double> extent_um_;
+    std::vector<FrameSummary> summaries_;
+    double smallest_interval_s_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace spheroscope::viewer
