@@ -20,7 +20,7 @@ const std::string k_verbs_hint = "spheroscope --help lists the verbs";
 std::string help_text(std::span<const Verb> verbs) {
     std::string text = "A microscope for mechanical stress in simulated tissue spheroids.\n\n"
                        "Usage: spheroscope VERB [arguments]\n\nVerbs:\n";
-    for (const Verb& verb : verbs) text += fmt::format("  {:<10}{}\n", verb.name, verb.summary);
+    for (const Verb& verb : verbs) text += fmt::format("  {:<12}{}\n", verb.name, verb.summary);
     text += "\nOptions:\n"
             "  --help    this text; after a verb: its arguments\n"
             "  --version version and commit\n\n"

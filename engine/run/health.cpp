@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace spheroscope {
 namespace {
@@ -13,19 +15,30 @@ namespace {
 /// those of its neighbours.
 constexpr double k_flat = 1e-6;
 
+/// Mean edges by which a node may be deeper inside another cell than contacts reach.
+constexpr double k_edges = 0.25;
+
 }  // namespace
 
 std::optional<Trouble> cells_inside_each_other(System& system, std::span<const Vec3> x_um,
                                                const Loc& contact) {
     if (!system.parts().contact) return {};
     const ContactLaw& law = *system.parts().contact;
-    const double limit_um = law.largest_overlap_um - 2.0 * law.h0_um;
+    const double reach_um = law.largest_overlap_um - 2.0 * law.h0_um;
+    // A facet lies below the surface that it stands for: coarse cells seem to be inside each other
+    // by a part of their edges where they only touch.
+    const std::vector<double>& edges = system.model().unit_edge_length;
+    const double mean_edge = std::accumulate(edges.begin(), edges.end(), 0.0) /
+                             static_cast<double>(std::max<std::size_t>(1, edges.size()));
+    const std::vector<double>& radii = system.model().radius_um;
+    const double largest_um = *std::max_element(radii.begin(), radii.end());
+    const double limit_um = reach_um + k_edges * mean_edge * largest_um;
     const auto found = deepest_penetration(system.model(), x_um, limit_um, system.workers());
     if (!found) return {};
     Trouble trouble;
     trouble.what = fmt::format("cells {} and {} lie inside each other, {:.3g} um deep: contacts do "
                                "not act beyond {:.3g} um",
-                               found->other, found->cell, found->depth_um, limit_um);
+                               found->other, found->cell, found->depth_um, reach_um);
     trouble.cell = found->cell;
     trouble.node = found->node;
     trouble.loc = contact;
