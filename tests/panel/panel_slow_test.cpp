@@ -24,6 +24,12 @@ class PanelRun : public ProgramRunner {
     }
 };
 
+/// Turns the picture by hand, with a moment to see it.
+const std::string k_drag = "xdotool mousemove 300 200 mousedown 1; settle 0.2\n"
+                           "xdotool mousemove 360 200; settle 0.2\n"
+                           "xdotool mousemove 420 200; settle 1\n"
+                           "xdotool mouseup 1; settle\n";
+
 class Panel : public PanelRun {
   protected:
     void SetUp() override {
@@ -74,17 +80,13 @@ TEST_F(Panel, KeysMoveThroughTheFrames) {
 
 TEST_F(Panel, ADragTurnsTheViewAndUndoTurnsItBack) {
     make_run();
-    const std::string drag = "xdotool mousemove 300 200 mousedown 1; settle 0.2\n"
-                             "xdotool mousemove 360 200; settle 0.2\n"
-                             "xdotool mousemove 420 200; settle 0.2\n"
-                             "xdotool mouseup 1; settle\n";
-    const Outcome turned = show("out/run.h5", drag + "xdotool key ctrl+q");
+    const Outcome turned = show("out/run.h5", k_drag + "xdotool key ctrl+q");
     ASSERT_EQ(turned.code, 0) << turned.err;
     EXPECT_EQ(document(turned)["view"].get<std::string>().find("azimuth = \"30 deg\""),
               std::string::npos);
     EXPECT_GT(document(turned)["draft_s"], 0.0);  // it was drawn while it was turned
-    const Outcome back = show("out/run.h5", drag + "xdotool key ctrl+z; settle\n"
-                                                   "xdotool key ctrl+q");
+    const Outcome back = show("out/run.h5", k_drag + "xdotool key ctrl+z; settle\n"
+                                                     "xdotool key ctrl+q");
     EXPECT_NE(document(back)["view"].get<std::string>().find("azimuth = \"30 deg\""),
               std::string::npos);
 }
@@ -109,11 +111,12 @@ TEST_F(Panel, AClickPicksAndTheTableCanBeCopied) {
 TEST_F(Panel, ShowsThePixelsThatTheMovieHas) {
     make_run();
     ASSERT_EQ(call({"movie", "out/run.h5", "--quiet"}).code, 0);
-    const Outcome outcome = show("out/run.h5", "xdotool key End p\n"
-                                               "until_log 'written to'\n"
-                                               "xdotool key ctrl+q");
+    const Outcome outcome = show("out/run.h5", k_drag + "xdotool key ctrl+z End p\n"
+                                                        "until_log 'written to'\n"
+                                                        "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const nlohmann::json report = document(outcome);
+    EXPECT_GT(report["draft_s"], 0.0);  // drafts before it leave no trace
     ASSERT_EQ(report["files"].size(), 1U);
     const int last = report["frame"];
     char name[32];
