@@ -32,9 +32,6 @@ class StoredFrames final : public Frames {
     [[nodiscard]] int n_surveyed() override;
     [[nodiscard]] std::string failure() override;
 
-    /// For whoever opens the view: before frames are asked for.
-    [[nodiscard]] const RunFileReader& reader() const { return reader_; }
-
   private:
     void read_all();
     /// What to read next; -1: nothing.

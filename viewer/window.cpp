@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <utility>
 
 namespace spheroscope::viewer {
@@ -102,7 +103,6 @@ void set_style() {
     style.Colors[ImGuiCol_ChildBg] = {1.0F, 1.0F, 1.0F, 1.0F};
     style.Colors[ImGuiCol_Text] = {0.15F, 0.16F, 0.18F, 1.0F};
     style.Colors[ImGuiCol_Border] = {0.80F, 0.81F, 0.83F, 1.0F};
-    style.Colors[ImGuiCol_PlotHistogram] = {0.30F, 0.42F, 0.62F, 1.0F};
 }
 
 }  // namespace
@@ -142,6 +142,9 @@ Window::Window(const std::string& title, int width_px, int height_px)
                 ->keys.push_back(
                     {key, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
     });
+    if (!std::filesystem::exists(SPHEROSCOPE_FONT))  // ImGui would abort
+        throw Error("the font file " SPHEROSCOPE_FONT " cannot be read",
+                    "install DejaVu Sans (Debian: fonts-dejavu-core)", ExitCode::environment);
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // the panel leaves no file behind that nobody asked for
     ImGui_ImplGlfw_InitForOpenGL(h.window.get(), true);
