@@ -42,8 +42,8 @@ Outcome call(const std::vector<std::string>& arguments, const VerbAction& action
 TEST(Program, HelpListsEveryVerbWithItsLineOnStdout) {
     const Outcome help = call({"--help"});
     EXPECT_EQ(help.code, ExitCode::ok);
-    EXPECT_NE(help.out.find("movie     made up for the test\n"), std::string::npos) << help.out;
-    EXPECT_NE(help.out.find("check     made up for the test\n"), std::string::npos) << help.out;
+    EXPECT_NE(help.out.find("movie       made up for the test\n"), std::string::npos) << help.out;
+    EXPECT_NE(help.out.find("check       made up for the test\n"), std::string::npos) << help.out;
     EXPECT_EQ(help.err, "");
 }
 
