@@ -110,6 +110,9 @@ TEST(TheViewAsSceneText, IsReadBackAsTheSameView) {
     view.picture.given_range = {-12.5, 1.0 / 3.0};
     view.picture.cutaway = true;
     view.picture.azimuth_deg = -71.3;
+    view.picture.smooth = false;
+    view.picture.plot = "coordination_Z";
+    view.picture.shots = {"play to 2 s", "freeze 3 s, orbit 360 deg"};
     const scene::Scene read = scene::parse_scene(scene + view_text(view), "test");
     ASSERT_EQ(read.pictures.size(), 1U);
     EXPECT_EQ(ViewSettings{read.pictures[0]}, view);

@@ -24,7 +24,10 @@ nlohmann::json json_of(const Bookmark& bookmark) {
             {"azimuth", p.azimuth_deg},
             {"elevation", p.elevation_deg},
             {"orbit", p.orbit_deg},
-            {"fps", p.fps}};
+            {"fps", p.fps},
+            {"smooth", p.smooth},
+            {"plot", p.plot},
+            {"shots", p.shots}};
 }
 
 Bookmark bookmark_of(const nlohmann::json& json) {
@@ -43,6 +46,9 @@ Bookmark bookmark_of(const nlohmann::json& json) {
     p.elevation_deg = json.at("elevation");
     p.orbit_deg = json.at("orbit");
     p.fps = json.at("fps");
+    p.smooth = json.at("smooth");
+    p.plot = json.at("plot");
+    p.shots = json.at("shots");
     return bookmark;
 }
 

@@ -16,7 +16,8 @@ bool operator==(const ViewSettings& a, const ViewSettings& b) {
     return p.name == q.name && p.field == q.field && p.size_px == q.size_px && p.range == q.range &&
            p.given_range == q.given_range && p.cutaway == q.cutaway && p.network == q.network &&
            p.azimuth_deg == q.azimuth_deg && p.elevation_deg == q.elevation_deg &&
-           p.orbit_deg == q.orbit_deg && p.fps == q.fps;
+           p.orbit_deg == q.orbit_deg && p.fps == q.fps && p.smooth == q.smooth &&
+           p.plot == q.plot && p.shots == q.shots;
 }
 
 std::string view_text(const ViewSettings& view) {
@@ -30,6 +31,11 @@ std::string view_text(const ViewSettings& view) {
     text += fmt::format("cutaway = {}\nnetwork = {}\nazimuth = \"{} deg\"\nelevation = \"{} deg\"\n"
                         "orbit = \"{} deg\"\nfps = {}\n",
                         p.cutaway, p.network, p.azimuth_deg, p.elevation_deg, p.orbit_deg, p.fps);
+    if (!p.smooth) text += "smooth = false\n";
+    if (!p.plot.empty()) text += fmt::format("plot = {}\n", scene::toml_string(p.plot));
+    for (std::size_t k = 0; k < p.shots.size(); ++k)
+        text += (k == 0 ? "shots = [" : ", ") + scene::toml_string(p.shots[k]);
+    if (!p.shots.empty()) text += "]\n";
     return text;
 }
 
