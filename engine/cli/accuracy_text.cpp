@@ -45,7 +45,8 @@ std::string accuracy_text(const std::vector<MeasureError>& errors) {
     const bool is_rough = std::any_of(errors.begin(), errors.end(), [](const MeasureError& e) {
         return !std::isnan(e.time) && !e.time_is_measured;
     });
-    if (is_rough) text += "  ~: an order of magnitude; measures.time_error = true measures it\n";
+    if (is_rough)
+        text += "  ~: a guess from the last step alone; measures.time_error = true measures it\n";
     if (worst != nullptr)
         text += fmt::format("  largest: {}; {}\n", worst->measure, worst->advice());
     return text;

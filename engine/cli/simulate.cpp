@@ -140,7 +140,7 @@ void take_from_file(const RunFileReader& reader, const scene::Scene& scene,
 }
 
 /// The same run with half the steps, without frames. If it comes to no end the error of the time
-/// steps stays an order of magnitude, and the log says why.
+/// steps stays a guess, and the log says why.
 void measure_time_error(const scene::Scene& scene, const EngineOptions& options,
                         const std::atomic<bool>& stop, RunResult& result) {
     const MethodRow& method = chosen_method(scene);

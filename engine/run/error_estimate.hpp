@@ -18,7 +18,7 @@ struct MeasureError {
     double time = std::numeric_limits<double>::quiet_NaN();  ///< by the finite steps
     double rest = std::numeric_limits<double>::quiet_NaN();  ///< by ending before rest
     double mesh = std::numeric_limits<double>::quiet_NaN();  ///< by the finite mesh, if asked for
-    bool time_is_measured = false;  ///< `time` is from a second run, else an order of magnitude
+    bool time_is_measured = false;  ///< `time` is from a second run, else a guess
 
     /// Root of the sum of the squares of those that are known; NaN if none is.
     [[nodiscard]] double total() const;
@@ -41,7 +41,7 @@ struct MeasureError {
 /// which stays among the motions that the cells really make; differences of velocities do not, and
 /// a displacement by a hundredth of h0 against a contact changes stresses more than a whole run
 /// does. So a measure m is wrong by c (sum of dt_n^(p+1)) lambda^p dm/dt. Motions with contacts are
-/// not nearly linear: this is an order of magnitude and not a bound. companion.hpp measures it.
+/// not nearly linear, and nothing moves at rest: a guess. companion.hpp measures it.
 ///
 /// What ends before rest has left dm/dt over lambda, with lambda the rate at which the speed has
 /// fallen lately; where it does not fall, what as much time again as the stage's would bring.

@@ -436,7 +436,7 @@ const auto& keys() {
         Key{"measures", "time_error", reach<&S::measures, &Measures::time_error>(), number, {}, {},
             {}, "", k_ours,
             "Run once more with steps half as long (about twice the time), and say how wrong the "
-            "measures are by the time steps; without it that error is an order of magnitude."},
+            "measures are by the time steps; without it that error is a guess from the last step alone."},
         Key{"measures", "mesh_error", reach<&S::measures, &Measures::mesh_error>(), number, {}, {},
             {}, "", k_ours,
             "Run once more on the next coarser mesh (about a fifth of the time), and say how wrong "
