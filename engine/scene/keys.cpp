@@ -465,7 +465,7 @@ const auto& keys() {
         Key{"picture", "fps", reach<&S::pictures, &Picture::fps>(), number, frame_rate, {}, {},
             "30", "", "Frames of the movie in a second."},
         Key{"picture", "smooth", reach<&S::pictures, &Picture::smooth>(), number, {}, {}, {}, "",
-            "", "Edges without steps; without it a picture takes about half the time."},
+            "", "Edges without steps: four drawn pixels for each one. Without it pictures take less time."},
         Key{"picture", "plot", reach<&S::pictures, &Picture::plot>(), number, {}, {}, {},
             "sigma_h_core, volume_error", "",
             "Measure of the whole aggregate, drawn against time below the picture."},

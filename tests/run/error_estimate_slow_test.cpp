@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <string_view>
 
 namespace spheroscope {
 namespace {
