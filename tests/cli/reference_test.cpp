@@ -71,11 +71,11 @@ TEST_F(Reference, TheManualPageIsOneForTroff) {
 }
 
 TEST_F(Reference, TheCompletionKnowsEveryVerbAndItsOptions) {
+    ASSERT_EQ(shell("\"$PROGRAM\" completion > completion.bash").code, 0);
     const auto complete = [this](const std::string& words, int at) {
-        const Outcome outcome =
-            shell("bash -c 'source <(\"$1\" completion); COMP_WORDS=(spheroscope " + words +
-                  "); COMP_CWORD=" + std::to_string(at) +
-                  "; _spheroscope; printf \"%s\\n\" \"${COMPREPLY[@]}\"' - \"$PROGRAM\"");
+        const Outcome outcome = shell("bash -c 'source completion.bash; COMP_WORDS=(spheroscope " +
+                                      words + "); COMP_CWORD=" + std::to_string(at) +
+                                      "; _spheroscope; printf \"%s\\n\" \"${COMPREPLY[@]}\"'");
         return matches(outcome.out, "([^\n]+)");
     };
     Names all;
