@@ -34,7 +34,7 @@ constexpr int k_n_samples = 2;
 
 // Places, px.
 constexpr int k_view_x = 30, k_view_width = 520, k_view_height = 380;
-constexpr std::array<int, 2> k_view_y{150, 580};
+constexpr std::array<int, 2> k_view_y{140, 590};
 constexpr int k_map_x = 590, k_map_y = 150, k_map_side = 440;
 constexpr double k_bar_y = 614.0, k_numbers_x = 1130.0;
 constexpr double k_charts_y = 690.0, k_charts_y1 = 985.0;

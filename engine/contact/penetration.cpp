@@ -1,6 +1,7 @@
 #include "engine/contact/penetration.hpp"
 
 #include "engine/contact/closest_point.hpp"
+#include "engine/contact/node_box.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,23 +16,10 @@ std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 /// triangle's inside. What matters here is deeper than this by far.
 const Vec3 k_beside_um(0.6180339887e-7, 0.4142135624e-7, 0.0);
 
-struct Box {
-    Vec3 low, high;
-    explicit Box(std::span<const Vec3> nodes) : low(nodes[0]), high(nodes[0]) {
-        for (const Vec3& node : nodes) {
-            low = low.cwiseMin(node);
-            high = high.cwiseMax(node);
-        }
-    }
-    [[nodiscard]] bool holds(const Vec3& p, double depth) const {
-        return ((p - low).array() > depth).all() && ((high - p).array() > depth).all();
-    }
-};
-
 /// The triangles of one cell, by the squares of a grid in x and y that they touch.
 class Columns {
   public:
-    Columns(const MeshTopology& mesh, std::span<const Vec3> x_um, const Box& box)
+    Columns(const MeshTopology& mesh, std::span<const Vec3> x_um, const NodeBox& box)
         : mesh_(mesh), x_um_(x_um), low_(box.low) {
         n_ = std::max(1, static_cast<int>(std::sqrt(0.5 * mesh.n_triangles())));
         const Vec3 size = box.high - box.low;
@@ -111,24 +99,24 @@ double distance_um(const Vec3& p, const MeshTopology& mesh, std::span<const Vec3
 
 std::optional<Penetration> deepest_penetration(const Model& model, std::span<const Vec3> x_um,
                                                double limit_um, Workers& workers) {
-    std::vector<Box> boxes;
+    std::vector<NodeBox> boxes;
     for (int cell = 0; cell < model.n_cells(); ++cell)
         boxes.emplace_back(model.cell_nodes(x_um, cell));
     std::vector<Penetration> deepest(idx(model.n_cells()));  // in each cell
     const MeshTopology& mesh = *model.topology;
     workers.loop(model.n_cells(), [&](int other) {
         const std::span<const Vec3> surface = model.cell_nodes(x_um, other);
-        const Box& box = boxes[idx(other)];
+        const NodeBox& box = boxes[idx(other)];
         std::optional<Columns> columns;
         for (int cell = 0; cell < model.n_cells(); ++cell) {
-            const Box& its = boxes[idx(cell)];
+            const NodeBox& its = boxes[idx(cell)];
             if (cell == other || (its.low.array() >= box.high.array() - limit_um).any() ||
                 (its.high.array() <= box.low.array() + limit_um).any())
                 continue;
             const std::span<const Vec3> nodes = model.cell_nodes(x_um, cell);
             for (std::size_t i = 0; i < nodes.size(); ++i) {
                 const Vec3& p = nodes[i];
-                if (!box.holds(p, limit_um)) continue;
+                if (!box.is_within(p, -limit_um)) continue;
                 const bool is_near =
                     std::any_of(surface.begin(), surface.end(), [&](const Vec3& q) {
                         return (p - q).squaredNorm() <= limit_um * limit_um;

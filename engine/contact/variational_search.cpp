@@ -2,6 +2,7 @@
 #include "engine/contact/variational_search.hpp"
 
 #include "engine/contact/closest_point.hpp"
+#include "engine/contact/node_box.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +11,6 @@ namespace spheroscope {
 namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-struct Box {
-    Vec3 low, high;
-    explicit Box(std::span<const Vec3> nodes) : low(nodes[0]), high(nodes[0]) {
-        for (const Vec3& node : nodes) {
-            low = low.cwiseMin(node);
-            high = high.cwiseMax(node);
-        }
-    }
-    [[nodiscard]] bool is_within(const Vec3& point, double distance) const {
-        return ((low - point).array() <= distance).all() &&
-               ((point - high).array() <= distance).all();
-    }
-};
 
 /// A triangle of the other cell, sorted by its centre along one axis.
 struct Swept {
@@ -67,7 +54,7 @@ void VariationalSearch::build_lists(const Model& model, std::span<const Vec3> x_
         samples_ = make_surface_samples(*model.topology, samples_per_edge(model, law_.h0_um));
     ++list_builds_;
     listed_x_um_.assign(x_um.begin(), x_um.end());
-    thread_local std::vector<Box> boxes;
+    thread_local std::vector<NodeBox> boxes;
     thread_local std::vector<double> margin_um;
     boxes.clear();
     margin_um.clear();
@@ -79,7 +66,7 @@ void VariationalSearch::build_lists(const Model& model, std::span<const Vec3> x_
     for (int a = 0; a < model.n_cells(); ++a)
         for (int b = a + 1; b < model.n_cells(); ++b) {
             const double margin = std::max(margin_um[idx(a)], margin_um[idx(b)]);
-            const Box &p = boxes[idx(a)], &q = boxes[idx(b)];
+            const NodeBox &p = boxes[idx(a)], &q = boxes[idx(b)];
             if (((p.low - q.high).array() > margin).any() ||
                 ((q.low - p.high).array() > margin).any())
                 continue;
@@ -104,7 +91,7 @@ void VariationalSearch::list_side(const View& view, Side& side) const {
     side.triangles.clear();
     const MeshTopology& mesh = *view.model.topology;
     const double limit_um = listed_distance_um(view);
-    const Box own_box(view.own_um), other_box(view.other_um);
+    const NodeBox own_box(view.own_um), other_box(view.other_um);
     const auto centre =
         view.model.cell_triangles(std::span<const Vec3>(view.geometry.centroid_um), view.other);
     const auto reach =

@@ -7,9 +7,6 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-/// A product takes the time of reading its blocks; they are asked for this long before their turn.
-constexpr std::size_t k_blocks_ahead = 32;
-
 std::array<float, 3> single(const Vec3& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
@@ -81,7 +78,6 @@ void CellMatrix::add_any_product(std::span<const Vector> u, std::span<Vector> ou
         const Block3* block = blocks_.data() + couplings_->first(i);
         for (const std::uint16_t j : couplings_->others(i)) {
             const Vector difference = at_i - u[j];
-            __builtin_prefetch(block + k_blocks_ahead);
             const BlockProducts<Vector> p = products(*block++, difference);
             sum += p.straight;
             out[j] -= p.transposed;

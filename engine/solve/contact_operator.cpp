@@ -7,10 +7,6 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-/// A product takes the time of reading its pairs; they are asked for this long before their turn.
-/// (An address behind the end of the array is no error in a prefetch.)
-constexpr std::size_t k_pairs_ahead = 32;
-
 /// Sums of one pair of nodes over the pairs of triangles that connect it, in two registers: of a
 /// weight w and of weighted squares n n^T.
 struct Sums {
@@ -191,7 +187,6 @@ template <class Vector> void ContactOperator::product_of_group(int g, const Mode
             const auto end = static_cast<std::size_t>(group.row_begin[a + 1]);
             for (auto e = static_cast<std::size_t>(group.row_begin[a]); e < end; ++e) {
                 const std::uint16_t b = pairs[e].b;
-                __builtin_prefetch(pairs + e + k_pairs_ahead);
                 const Vector force = force_of(e, Vector(at_a - u[b]));
                 sum += force;
                 y[b] -= force;

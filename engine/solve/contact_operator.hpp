@@ -28,8 +28,8 @@ namespace spheroscope {
 /// the matrix is symmetric and its friction blind to a common translation whatever the rounding.
 class ContactOperator {
   public:
-    /// friction: empty if the scene has none. stiffness_nN_s_per_um3: dt times k of the law, in
-    /// kPa s/um; 0: no stiffness.
+    /// friction: empty if the scene has none. stiffness_kPa_s_per_um: dt times k of the law; 0: no
+    /// stiffness.
     void build(const Model& model, const Contacts& contacts,
                const std::optional<ContactFriction>& friction, double stiffness_kPa_s_per_um,
                Workers& workers);

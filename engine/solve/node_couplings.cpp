@@ -10,8 +10,7 @@ NodeCouplings::NodeCouplings(const MeshTopology& mesh) {
     std::vector<std::pair<int, int>> pairs;
     for (const MeshTopology::Edge& e : mesh.edges) {
         pairs.emplace_back(std::min(e.i, e.j), std::max(e.i, e.j));
-        // on a tetrahedron the two wings are the ends of an edge as well
-        if (e.a != e.b) pairs.emplace_back(std::min(e.a, e.b), std::max(e.a, e.b));
+        pairs.emplace_back(std::min(e.a, e.b), std::max(e.a, e.b));
     }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

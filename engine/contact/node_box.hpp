@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/base/vec3.hpp"
+
+#include <span>
+
+namespace spheroscope {
+
+/// The box along the axes around some nodes. Precondition: at least one node.
+struct NodeBox {
+    Vec3 low, high;
+    explicit NodeBox(std::span<const Vec3> nodes) : low(nodes[0]), high(nodes[0]) {
+        for (const Vec3& node : nodes) {
+            low = low.cwiseMin(node);
+            high = high.cwiseMax(node);
+        }
+    }
+    /// Whether a point is in the box made larger by `distance` on every side; negative: smaller.
+    [[nodiscard]] bool is_within(const Vec3& point, double distance) const {
+        return ((low - point).array() <= distance).all() &&
+               ((point - high).array() <= distance).all();
+    }
+};
+
+}  // namespace spheroscope
