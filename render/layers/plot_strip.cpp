@@ -128,13 +128,14 @@ PlotStripPainter::PlotStripPainter(const PlotStrip& strip, int width_px, int pic
                   Anchor::right);
     }
     fill_rectangle(background_, left_, bottom_, right_, bottom_ + thin, k_ink);
-    for (const double time_s : ticks({time_low_, time_high_})) {
+    const std::vector<double> time_ticks = ticks({time_low_, time_high_});
+    for (const double time_s : time_ticks) {
         const double x = std::round(point(time_s, value_low_).x);
         fill_rectangle(background_, x, bottom_, x + thin, bottom_ + scaled(6.0), k_ink);
-        const bool is_last = right_ - x < scaled(60.0);
-        text.draw(background_, is_last ? width_px - scaled(8.0) : x, bottom_ + scaled(27.0),
-                  number_text(time_s) + (is_last ? " s" : ""), style,
-                  is_last ? Anchor::right : Anchor::middle);
+        const bool is_at_edge = right_ - x < scaled(60.0);
+        text.draw(background_, is_at_edge ? width_px - scaled(8.0) : x, bottom_ + scaled(27.0),
+                  number_text(time_s) + (time_s == time_ticks.back() ? " s" : ""), style,
+                  is_at_edge ? Anchor::right : Anchor::middle);
     }
     double x = left_;
     text.draw(background_, x, scaled(26.0), strip.heading, style);
