@@ -10,6 +10,8 @@ add_executable(spheroscope engine/cli/main.cpp ${PROJECT_BINARY_DIR}/version.cpp
 add_dependencies(spheroscope spheroscope_version)
 set_target_properties(spheroscope PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_link_libraries(spheroscope PRIVATE spheroscope_cli)
+target_compile_options(spheroscope PRIVATE -O1)
+spheroscope_precompiled(spheroscope text)
 
 # render/verb*.cpp belong to the program, not to the library of pictures: they know the command line.
 file(GLOB render_verbs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/render/verb*.cpp)

@@ -4,7 +4,6 @@
 #include "render/png.hpp"
 #include "render/verbs.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -69,25 +68,22 @@ ExitCode diff(const DiffArguments& arguments) {
 
 cli::Verb diff_verb() {
     return {"diff", "compares two pictures; exit code 4 if they differ",
-            [](CLI::App& command) -> cli::VerbAction {
+            [](cli::CommandLine& command) -> cli::VerbAction {
                 using cli::CommonOption;
                 const auto arguments = std::make_shared<DiffArguments>();
-                command.add_option("A.png", arguments->reference, "reference")->required();
-                command.add_option("B.png", arguments->other, "picture to compare")->required();
-                command
-                    .add_option("--tolerance", arguments->share,
-                                "share of pixels that may differ by more than the threshold, also "
-                                "when edges may move by a pixel (default: every bit counts)")
-                    ->check(CLI::Range(0.0, 1.0));
-                command
-                    .add_option("--similarity", arguments->similarity,
-                                "structural similarity that is enough, at most 1 (default: every "
-                                "bit counts)")
-                    ->check(CLI::Range(-1.0, 1.0));
-                command
-                    .add_option("--threshold", arguments->threshold,
-                                "difference of a channel (0 to 255) that counts")
-                    ->check(CLI::Range(0, 255));
+                command.argument("A.png", arguments->reference, "reference");
+                command.argument("B.png", arguments->other, "picture to compare");
+                command.option("--tolerance", arguments->share,
+                               "share of pixels that may differ by more than the threshold, also "
+                               "when edges may move by a pixel (default: every bit counts)",
+                               cli::between(0.0, 1.0));
+                command.option("--similarity", arguments->similarity,
+                               "structural similarity that is enough, at most 1 (default: every "
+                               "bit counts)",
+                               cli::between(-1.0, 1.0));
+                command.option("--threshold", arguments->threshold,
+                               "difference of a channel (0 to 255) that counts",
+                               cli::between(0, 255));
                 cli::add_common_options(command, arguments->common,
                                         {CommonOption::output, CommonOption::json});
                 return [arguments](const cli::Invocation&) { return diff(*arguments); };

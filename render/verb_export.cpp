@@ -6,7 +6,6 @@
 #include "render/export_vtk.hpp"
 #include "render/verbs.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -83,12 +82,12 @@ ExitCode export_run(const ExportArguments& arguments) {
 
 cli::Verb export_verb() {
     return {"export", "writes a run's file for ParaView: .vtp for each frame, and .pvd",
-            [](CLI::App& command) -> cli::VerbAction {
+            [](cli::CommandLine& command) -> cli::VerbAction {
                 using cli::CommonOption;
                 const auto arguments = std::make_shared<ExportArguments>();
-                command.add_option("FILE", arguments->file, "HDF5 file of a run")->required();
-                command.add_option("--frame", arguments->frame,
-                                   "this frame only; -1 is the last (default: all)");
+                command.argument("FILE", arguments->file, "HDF5 file of a run");
+                command.option("--frame", arguments->frame,
+                               "this frame only; -1 is the last (default: all)");
                 cli::add_common_options(command, arguments->common,
                                         {CommonOption::output, CommonOption::json});
                 return [arguments](const cli::Invocation&) { return export_run(*arguments); };

@@ -10,7 +10,6 @@
 #include "render/verbs.hpp"
 #include "render/verify.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
@@ -268,39 +267,36 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
 }  // namespace
 
 cli::Verb movie_verb() {
-    return {"movie", "makes a stress-map movie of a scene or of a run's file",
-            [](CLI::App& command) -> cli::VerbAction {
-                using cli::CommonOption;
-                const auto arguments = std::make_shared<MovieArguments>();
-                command.add_option("SCENE|FILE", arguments->input,
-                                   "scene, or HDF5 file of a run (with --verify: that run; "
-                                   "default: the one beside the picture, else its scene is "
-                                   "simulated anew)");
-                command.add_option("--picture", arguments->picture,
-                                   "name of a [[picture]], or 'all'; default: the first");
-                command
-                    .add_option("--compare", arguments->compare,
-                                "HDF5 file of another run, shown beside this one with one range "
-                                "and one scale")
-                    ->type_name("OTHER");
-                command
-                    .add_option("--verify", arguments->verify,
-                                "draw this picture again from what its file says and compare; exit "
-                                "code 4 if it differs, -o writes a sheet")
-                    ->type_name("FRAME.png");
-                command.add_flag("--no-png", arguments->no_png, "the MP4 only, no pictures");
-                command.add_flag("--overwrite", arguments->overwrite,
-                                 "simulate anew, also where a run is");
-                cli::add_common_options(command, arguments->common,
-                                        {CommonOption::output, CommonOption::threads,
-                                         CommonOption::simd, CommonOption::seed, CommonOption::set,
-                                         CommonOption::json, CommonOption::quiet,
-                                         CommonOption::resume, CommonOption::time_limit,
-                                         CommonOption::checkpoint_every});
-                return [arguments](const cli::Invocation& invocation) {
-                    return movie(*arguments, invocation);
-                };
-            }};
+    return {
+        "movie", "makes a stress-map movie of a scene or of a run's file",
+        [](cli::CommandLine& command) -> cli::VerbAction {
+            using cli::CommonOption;
+            const auto arguments = std::make_shared<MovieArguments>();
+            command.optional_argument("SCENE|FILE", arguments->input,
+                                      "scene, or HDF5 file of a run (with --verify: that run; "
+                                      "default: the one beside the picture, else its scene is "
+                                      "simulated anew)");
+            command.option("--picture", arguments->picture,
+                           "name of a [[picture]], or 'all'; default: the first");
+            command.option("--compare", arguments->compare,
+                           "HDF5 file of another run, shown beside this one with one range "
+                           "and one scale",
+                           {"OTHER"});
+            command.option("--verify", arguments->verify,
+                           "draw this picture again from what its file says and compare; exit "
+                           "code 4 if it differs, -o writes a sheet",
+                           {"FRAME.png"});
+            command.flag("--no-png", arguments->no_png, "the MP4 only, no pictures");
+            command.flag("--overwrite", arguments->overwrite, "simulate anew, also where a run is");
+            cli::add_common_options(command, arguments->common,
+                                    {CommonOption::output, CommonOption::threads,
+                                     CommonOption::simd, CommonOption::seed, CommonOption::set,
+                                     CommonOption::json, CommonOption::quiet, CommonOption::resume,
+                                     CommonOption::time_limit, CommonOption::checkpoint_every});
+            return [arguments](const cli::Invocation& invocation) {
+                return movie(*arguments, invocation);
+            };
+        }};
 }
 
 }  // namespace spheroscope

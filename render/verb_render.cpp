@@ -4,7 +4,6 @@
 #include "render/verb_pictures.hpp"
 #include "render/verbs.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -67,13 +66,13 @@ ExitCode render_stills(const RenderArguments& arguments) {
 
 cli::Verb render_verb() {
     return {"render", "draws stills of one frame of a run's file",
-            [](CLI::App& command) -> cli::VerbAction {
+            [](cli::CommandLine& command) -> cli::VerbAction {
                 using cli::CommonOption;
                 const auto arguments = std::make_shared<RenderArguments>();
-                command.add_option("FILE", arguments->file, "HDF5 file of a run")->required();
-                command.add_option("--frame", arguments->frame, "frame; -1 is the last");
-                command.add_option("--picture", arguments->picture,
-                                   "name of a [[picture]], or 'all'; default: the first");
+                command.argument("FILE", arguments->file, "HDF5 file of a run");
+                command.option("--frame", arguments->frame, "frame; -1 is the last");
+                command.option("--picture", arguments->picture,
+                               "name of a [[picture]], or 'all'; default: the first");
                 cli::add_common_options(command, arguments->common,
                                         {CommonOption::output, CommonOption::set});
                 return [arguments](const cli::Invocation&) { return render_stills(*arguments); };

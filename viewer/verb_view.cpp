@@ -6,7 +6,6 @@
 #include "viewer/stored_frames.hpp"
 #include "viewer/verbs.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
@@ -68,10 +67,10 @@ ExitCode view_file(const ViewArguments& arguments) {
 
 cli::Verb view_verb() {
     return {"view", "shows a run in a window, frame by frame",
-            [](CLI::App& command) -> cli::VerbAction {
+            [](cli::CommandLine& command) -> cli::VerbAction {
                 using cli::CommonOption;
                 const auto arguments = std::make_shared<ViewArguments>();
-                command.add_option("FILE", arguments->input, "HDF5 file of a run")->required();
+                command.argument("FILE", arguments->input, "HDF5 file of a run");
                 cli::add_common_options(
                     command, arguments->common,
                     {CommonOption::output, CommonOption::set, CommonOption::json});

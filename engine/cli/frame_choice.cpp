@@ -3,7 +3,6 @@
 #include "engine/base/error.hpp"
 #include "engine/scene/units.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -61,14 +60,12 @@ int FrameChoice::number(const RunFileReader& reader) const {
     return nearest;
 }
 
-void add_frame_options(CLI::App& command, FrameChoice& choice) {
-    command.add_option("--frame", choice.frame,
-                       "frame to look at, from 0; -1 is the last (default)");
-    command
-        .add_option("--time", choice.time,
-                    "model time to look at, for instance '3.2 s': the frame "
-                    "nearest to it")
-        ->type_name("TIME");
+void add_frame_options(CommandLine& command, FrameChoice& choice) {
+    command.option("--frame", choice.frame, "frame to look at, from 0; -1 is the last (default)");
+    command.option("--time", choice.time,
+                   "model time to look at, for instance '3.2 s': the frame "
+                   "nearest to it",
+                   {"TIME"});
 }
 
 }  // namespace spheroscope::cli

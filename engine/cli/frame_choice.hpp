@@ -1,13 +1,10 @@
 #pragma once
 
+#include "engine/cli/command_line.hpp"
 #include "engine/store/run_file.hpp"
 
 #include <optional>
 #include <string>
-
-namespace CLI {
-class App;
-}
 
 namespace spheroscope::cli {
 
@@ -22,6 +19,6 @@ struct FrameChoice {
 };
 
 /// Declares --frame and --time; `choice` must live until it is read.
-void add_frame_options(CLI::App& command, FrameChoice& choice);
+void add_frame_options(CommandLine& command, FrameChoice& choice);
 
 }  // namespace spheroscope::cli

@@ -3,7 +3,6 @@
 #include "engine/contact/simd_target.hpp"
 #include "engine/scene/units.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,70 +12,68 @@
 namespace spheroscope::cli {
 namespace {
 
-void add_common_option(CLI::App& command, CommonOptions& options, CommonOption wanted) {
+std::string problem_of_path(const std::string& path) {
+    return path.empty() ? "wanted a name, got nothing" : "";
+}
+
+std::string problem_of_target(const std::string& name) {
+    const std::vector<std::string> targets = simd_targets();
+    if (std::find(targets.begin(), targets.end(), name) != targets.end()) return "";
+    return fmt::format("wanted one of {}, which this machine has, got '{}'",
+                       fmt::join(targets, ", "), name);
+}
+
+std::string problem_of_seed(const std::string& text) {
+    const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    return digits ? "" : fmt::format("wanted a whole number from 0, got '{}'", text);
+}
+
+void add_common_option(CommandLine& command, CommonOptions& options, CommonOption wanted) {
     switch (wanted) {
     case CommonOption::output:
-        command.add_option("-o,--output", options.output, "file or folder to write")
-            ->type_name("PATH")
-            ->check([](const std::string& path) {
-                return path.empty() ? std::string("wanted a name, got nothing") : std::string();
-            });
+        command.option("-o,--output", options.output, "file or folder to write",
+                       {"PATH", problem_of_path});
         return;
     case CommonOption::threads:
-        command.add_option("--threads", options.threads, "threads to compute with (default: all)")
-            ->type_name("N")
-            ->check(CLI::Range(1, 1024));
+        command.option("--threads", options.threads, "threads to compute with (default: all)",
+                       {"N", between(1, 1024).check});
         return;
     case CommonOption::simd:
-        command
-            .add_option("--simd", options.simd,
-                        fmt::format("instruction set of the contact kernel: {} (default: the "
-                                    "first)",
-                                    fmt::join(simd_targets(), ", ")))
-            ->type_name("TARGET")
-            ->check([](const std::string& name) {
-                const std::vector<std::string> targets = simd_targets();
-                if (std::find(targets.begin(), targets.end(), name) != targets.end())
-                    return std::string();
-                return fmt::format("wanted one of {}, which this machine has, got '{}'",
-                                   fmt::join(targets, ", "), name);
-            });
+        command.option("--simd", options.simd,
+                       fmt::format("instruction set of the contact kernel: {} (default: the "
+                                   "first)",
+                                   fmt::join(simd_targets(), ", ")),
+                       {"TARGET", problem_of_target});
         return;
     case CommonOption::seed:
-        command
-            .add_option("--seed", options.seed, "seed of the random numbers, before the scene's")
-            ->type_name("N")
-            ->check(CLI::NonNegativeNumber);
+        command.option("--seed", options.seed, "seed of the random numbers, before the scene's",
+                       {"N", problem_of_seed});
         return;
     case CommonOption::set:
-        command
-            .add_option("--set", options.set,
-                        "change a key of the scene, for instance cells.nodes=642 or "
-                        "'cortex.elastic.E=5 kPa'; may be repeated")
-            ->type_name("KEY=VALUE")
-            ->allow_extra_args(false);
+        command.option("--set", options.set,
+                       "change a key of the scene, for instance cells.nodes=642 or "
+                       "'cortex.elastic.E=5 kPa'; may be repeated",
+                       {"KEY=VALUE"});
         return;
     case CommonOption::json:
-        command.add_flag("--json", options.json, "the result as one JSON document");
+        command.flag("--json", options.json, "the result as one JSON document");
         return;
     case CommonOption::quiet:
-        command.add_flag("--quiet", options.quiet, "only warnings and errors on stderr");
+        command.flag("--quiet", options.quiet, "only warnings and errors on stderr");
         return;
     case CommonOption::resume:
-        command.add_flag("--resume", options.resume, "go on from the last checkpoint");
+        command.flag("--resume", options.resume, "go on from the last checkpoint");
         return;
     case CommonOption::time_limit:
-        command
-            .add_option("--time-limit", options.time_limit,
-                        "stop with a checkpoint after this time, for instance '90 s' or '2 h'")
-            ->type_name("TIME");
+        command.option("--time-limit", options.time_limit,
+                       "stop with a checkpoint after this time, for instance '90 s' or '2 h'",
+                       {"TIME"});
         return;
     case CommonOption::checkpoint_every:
-        command
-            .add_option("--checkpoint-every", options.checkpoint_every,
-                        "time between two checkpoints (default: 10 s); a run that is killed "
-                        "loses no more than this")
-            ->type_name("TIME");
+        command.option("--checkpoint-every", options.checkpoint_every,
+                       "time between two checkpoints (default: 10 s); a run that is killed "
+                       "loses no more than this",
+                       {"TIME"});
         return;
     }
 }
@@ -122,7 +119,7 @@ std::optional<double> CommonOptions::checkpoint_every_s() const {
     return positive_time_s("--checkpoint-every", checkpoint_every, "1 min");
 }
 
-void add_common_options(CLI::App& command, CommonOptions& options,
+void add_common_options(CommandLine& command, CommonOptions& options,
                         std::initializer_list<CommonOption> wanted) {
     for (const CommonOption option : wanted) add_common_option(command, options, option);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/cli/command_line.hpp"
 #include "engine/scene/scene.hpp"
 
 #include <cstdint>
@@ -7,10 +8,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace spheroscope::cli {
 
@@ -56,7 +53,7 @@ struct CommonOptions {
 };
 
 /// Declares the wanted options on a verb's command line; `options` must live until it is read.
-void add_common_options(CLI::App& command, CommonOptions& options,
+void add_common_options(CommandLine& command, CommonOptions& options,
                         std::initializer_list<CommonOption> wanted);
 
 }  // namespace spheroscope::cli

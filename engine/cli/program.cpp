@@ -3,7 +3,6 @@
 #include "engine/base/nearest_word.hpp"
 #include "engine/cli/log.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,38 +41,14 @@ const Verb& find_verb(const std::string& name, std::span<const Verb> verbs) {
                 k_verbs_hint);
 }
 
-/// The first argument that the verb has no use for, as an error.
-Error unexpected_argument(const std::string& argument, const CLI::App& command,
-                          const std::string& hint) {
-    if (argument.rfind('-', 0) != 0)
-        return Error(fmt::format("unexpected argument '{}'", argument), hint);
-    std::vector<std::string> names;
-    for (const CLI::Option* option : command.get_options())
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    const std::string meant = nearest_word(argument.substr(0, argument.find('=')), names);
-    return Error(fmt::format("unknown option '{}'{}", argument,
-                             meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)),
-                 hint);
-}
-
 ExitCode run_verb(const Verb& verb, const std::vector<std::string>& arguments,
                   const std::string& version) {
-    CLI::App command(verb.summary, "spheroscope " + verb.name);
-    command.allow_extras();  // so that they can be reported with a proposal
+    CommandLine command(verb.name, verb.summary);
     const VerbAction action = verb.declare(command);
-    const std::string hint =
-        fmt::format("spheroscope {} --help lists what the verb takes", verb.name);
-    try {
-        // CLI11 takes the arguments from the back
-        command.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend() - 1));
-    } catch (const CLI::CallForHelp&) {
+    if (command.read({arguments.begin() + 1, arguments.end()})) {
         fmt::print("{}", command.help());
         return ExitCode::ok;
-    } catch (const CLI::ParseError& error) {
-        throw Error(error.what(), hint);
     }
-    const std::vector<std::string> unexpected = command.remaining();
-    if (!unexpected.empty()) throw unexpected_argument(unexpected.front(), command, hint);
     return action(Invocation{command_line_text(arguments), version});
 }
 

@@ -2,7 +2,6 @@
 // anything else than `--help` does.
 #include "engine/cli/reference.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <string_view>
@@ -26,19 +25,14 @@ std::string for_man(std::string_view text) {
     return result;
 }
 
-/// "-o, --output PATH", "--json", "FILE"
-std::string heading_of(const CLI::Option& option) {
-    if (!option.nonpositional()) return option.get_single_name();
-    std::string names;
-    for (const std::string& name : option.get_snames()) names += "-" + name + ", ";
-    for (const std::string& name : option.get_lnames()) names += "--" + name + ", ";
-    names.resize(names.size() - 2);
-    const bool takes_value = option.get_items_expected_max() > 0;
-    return takes_value ? names + " " + option.get_type_name() : names;
+/// Calls `use` for everything that the verb takes; the action that its declaration makes is
+/// dropped.
+void for_each_declared(const Verb& verb,
+                       const std::function<void(const CommandLine::Declared&)>& use) {
+    CommandLine command(verb.name, verb.summary);
+    static_cast<void>(verb.declare(command));
+    for (const CommandLine::Declared& declared : command.declared()) use(declared);
 }
-
-/// What the verb takes, as an App of CLI11; the action that it makes is not called.
-void declare(const Verb& verb, CLI::App& command) { static_cast<void>(verb.declare(command)); }
 
 }  // namespace
 
@@ -50,11 +44,10 @@ std::string man_page(std::span<const Verb> verbs, const std::string& version) {
         for_man(version));
     for (const Verb& verb : verbs) {
         page += fmt::format(".SS {}\n{}\n", verb.name, for_man(verb.summary));
-        CLI::App command(verb.summary, "spheroscope " + verb.name);
-        declare(verb, command);
-        for (const CLI::Option* option : command.get_options())
-            page += fmt::format(".TP\n.B {}\n{}\n", for_man(heading_of(*option)),
-                                for_man(option->get_description()));
+        for_each_declared(verb, [&](const CommandLine::Declared& declared) {
+            page +=
+                fmt::format(".TP\n.B {}\n{}\n", for_man(declared.heading), for_man(declared.help));
+        });
     }
     page += ".SH \"EXIT STATUS\"\n";
     for (const auto& [code, meaning] :
@@ -73,11 +66,10 @@ std::string bash_completion(std::span<const Verb> verbs) {
     std::string names, cases;
     for (const Verb& verb : verbs) {
         names += verb.name + " ";
-        CLI::App command(verb.summary, "spheroscope " + verb.name);
-        declare(verb, command);
         std::string options;
-        for (const CLI::Option* option : command.get_options())
-            for (const std::string& name : option->get_lnames()) options += "--" + name + " ";
+        for_each_declared(verb, [&](const CommandLine::Declared& declared) {
+            for (const std::string& name : declared.long_names) options += name + " ";
+        });
         options.pop_back();  // every verb has --help
         cases += fmt::format("        {}) options=\"{}\" ;;\n", verb.name, options);
     }
@@ -102,7 +94,7 @@ std::string bash_completion(std::span<const Verb> verbs) {
 
 Verb man_verb(const std::vector<Verb>& verbs) {
     return {"man", "prints the manual page: spheroscope man | man -l -",
-            [&verbs](CLI::App&) -> VerbAction {
+            [&verbs](CommandLine&) -> VerbAction {
                 return [&verbs](const Invocation& invocation) {
                     fmt::print("{}", man_page(verbs, invocation.version));
                     return ExitCode::ok;
@@ -112,7 +104,7 @@ Verb man_verb(const std::vector<Verb>& verbs) {
 
 Verb completion_verb(const std::vector<Verb>& verbs) {
     return {"completion", "prints a completion for bash: source <(spheroscope completion)",
-            [&verbs](CLI::App&) -> VerbAction {
+            [&verbs](CommandLine&) -> VerbAction {
                 return [&verbs](const Invocation&) {
                     fmt::print("{}", bash_completion(verbs));
                     return ExitCode::ok;

@@ -1,15 +1,12 @@
 #pragma once
 
 #include "engine/base/error.hpp"
+#include "engine/cli/command_line.hpp"
 #include "engine/reports/plot.hpp"
 
 #include <functional>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace spheroscope::cli {
 
@@ -29,7 +26,7 @@ struct Verb {
     std::string summary;  ///< one line, what the verb does and what comes out
 
     /// Declares the verb's arguments on its command line. The action owns what they write into.
-    std::function<VerbAction(CLI::App&)> declare;
+    std::function<VerbAction(CommandLine&)> declare;
 };
 
 /// The verbs that need the engine alone; pictures have their own (render/verbs.hpp). `draw` is for

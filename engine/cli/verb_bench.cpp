@@ -7,7 +7,6 @@
 #include "engine/reports/engine_bench.hpp"
 #include "engine/reports/machine.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -178,13 +177,11 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
 
 Verb bench_verb() {
     return {"bench", "what the parts of a step cost, with the error at that cost",
-            [](CLI::App& command) -> VerbAction {
+            [](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<BenchArguments>();
-                command.add_flag("--quick", arguments->quick, "the small sizes only, in seconds");
-                command
-                    .add_option("--repetitions", arguments->repetitions,
-                                "of every timing; the least counts")
-                    ->check(CLI::Range(1, 1000));
+                command.flag("--quick", arguments->quick, "the small sizes only, in seconds");
+                command.option("--repetitions", arguments->repetitions,
+                               "of every timing; the least counts", between(1, 1000));
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::json, CommonOption::quiet,
                                     CommonOption::time_limit});

@@ -6,7 +6,6 @@
 #include "engine/stages/build.hpp"
 #include "engine/stages/choices.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
@@ -136,14 +135,15 @@ ExitCode check(const CheckArguments& arguments) {
 }  // namespace
 
 Verb check_verb() {
-    return {"check", "validates a scene without running it", [](CLI::App& command) -> VerbAction {
+    return {"check", "validates a scene without running it",
+            [](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<CheckArguments>();
-                command.add_option("SCENE", arguments->scene, "scene file")->required();
-                command.add_flag("--print-config", arguments->print_config,
-                                 "print the scene as resolved, with every default");
-                command.add_flag("--explain", arguments->explain,
-                                 "list what is in the run and what is not, and because of which "
-                                 "line of the scene");
+                command.argument("SCENE", arguments->scene, "scene file");
+                command.flag("--print-config", arguments->print_config,
+                             "print the scene as resolved, with every default");
+                command.flag("--explain", arguments->explain,
+                             "list what is in the run and what is not, and because of which "
+                             "line of the scene");
                 add_common_options(command, arguments->common,
                                    {CommonOption::set, CommonOption::seed, CommonOption::json});
                 return [arguments](const Invocation&) { return check(*arguments); };

@@ -5,7 +5,6 @@
 #include "engine/cli/options.hpp"
 #include "engine/contact/simd_target.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -156,7 +155,7 @@ Finding find_display(const std::string& display, bool has_wayland, bool has_xvfb
 
 Verb doctor_verb(const PictureProbe& probe) {
     return {"doctor", "says what is installed and works: OpenGL, ffmpeg, display, SIMD, threads",
-            [probe](CLI::App& command) -> VerbAction {
+            [probe](CommandLine& command) -> VerbAction {
                 const auto options = std::make_shared<CommonOptions>();
                 add_common_options(command, *options, {CommonOption::json});
                 return [options, probe](const Invocation& invocation) {

@@ -6,7 +6,6 @@
 #include "engine/cli/verb.hpp"
 #include "engine/store/run_file.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -80,9 +79,9 @@ ExitCode info(const InfoArguments& arguments) {
 }  // namespace
 
 Verb info_verb() {
-    return {"info", "says what is in the file of a run", [](CLI::App& command) -> VerbAction {
+    return {"info", "says what is in the file of a run", [](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<InfoArguments>();
-                command.add_option("FILE", arguments->file, "HDF5 file of a run")->required();
+                command.argument("FILE", arguments->file, "HDF5 file of a run");
                 add_common_options(command, arguments->common, {CommonOption::json});
                 return [arguments](const Invocation&) { return info(*arguments); };
             }};

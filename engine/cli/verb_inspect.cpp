@@ -7,7 +7,6 @@
 #include "engine/cli/options.hpp"
 #include "engine/inspect/inspect_contact.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
@@ -250,26 +249,24 @@ ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invoc
 
 Verb inspect_verb(const inspect::DrawContact& draw_contact) {
     return {"inspect", "lists the contacts of a run, or takes one of them apart",
-            [draw_contact](CLI::App& command) -> VerbAction {
+            [draw_contact](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<InspectArguments>();
-                command.add_option("FILE", arguments->file, "HDF5 file of a run")->required();
-                command
-                    .add_option("--contact", arguments->contact,
-                                "one contact, by its two cells, for instance 17-42: forces, area, "
-                                "overlaps, pressure map, balance")
-                    ->type_name("A-B");
+                command.argument("FILE", arguments->file, "HDF5 file of a run");
+                command.option("--contact", arguments->contact,
+                               "one contact, by its two cells, for instance 17-42: forces, area, "
+                               "overlaps, pressure map, balance",
+                               {"A-B"});
                 add_frame_options(command, arguments->frame);
-                command
-                    .add_option("--node", arguments->node,
-                                "every force on one node, term by term, with the residual")
-                    ->type_name("CELL:NODE");
-                command.add_flag("--history", arguments->history,
-                                 "the contact's numbers in all frames");
-                command.add_flag("--events", arguments->events,
-                                 "when the contact forms, breaks, or its force changes sign");
-                command.add_flag("--csv", arguments->csv,
-                                 "the table as CSV: contacts, history, events, forces on the node, "
-                                 "or the pressure map of one contact");
+                command.option("--node", arguments->node,
+                               "every force on one node, term by term, with the residual",
+                               {"CELL:NODE"});
+                command.flag("--history", arguments->history,
+                             "the contact's numbers in all frames");
+                command.flag("--events", arguments->events,
+                             "when the contact forms, breaks, or its force changes sign");
+                command.flag("--csv", arguments->csv,
+                             "the table as CSV: contacts, history, events, forces on the node, "
+                             "or the pressure map of one contact");
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::json, CommonOption::quiet});
                 return [arguments, draw_contact](const Invocation& invocation) {

@@ -6,7 +6,6 @@
 #include "engine/cli/report_output.hpp"
 #include "engine/cli/verb.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
@@ -86,20 +85,18 @@ ExitCode precision(const PrecisionArguments& arguments, const reports::DrawPlot&
 
 Verb precision_verb(const reports::DrawPlot& draw) {
     return {"precision", "error against run time of every method: table, CSV and plot",
-            [draw](CLI::App& command) -> VerbAction {
+            [draw](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<PrecisionArguments>();
-                command.add_option("SCENE", arguments->scene, "scene file")->required();
-                command.add_flag("--mesh", arguments->mesh,
-                                 "compare mesh levels instead of methods, and tell mesh error from "
-                                 "time error");
-                command
-                    .add_option("--levels", arguments->levels,
-                                "steps or tolerances of each method, around the scene's own")
-                    ->check(CLI::Range(1, 12));
-                command
-                    .add_option("--most-nodes", arguments->most_nodes,
-                                "finest level of --mesh: 42, 162, 642 or 2562 nodes")
-                    ->check(CLI::IsMember({42, 162, 642, 2562}));
+                command.argument("SCENE", arguments->scene, "scene file");
+                command.flag("--mesh", arguments->mesh,
+                             "compare mesh levels instead of methods, and tell mesh error from "
+                             "time error");
+                command.option("--levels", arguments->levels,
+                               "steps or tolerances of each method, around the scene's own",
+                               between(1, 12));
+                command.option("--most-nodes", arguments->most_nodes,
+                               "finest level of --mesh: 42, 162, 642 or 2562 nodes",
+                               one_of({42, 162, 642, 2562}));
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::threads, CommonOption::seed,
                                     CommonOption::set, CommonOption::json, CommonOption::quiet,

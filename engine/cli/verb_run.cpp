@@ -2,7 +2,6 @@
 #include "engine/cli/simulate.hpp"
 #include "engine/cli/verb.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
@@ -35,11 +34,11 @@ ExitCode run(const RunArguments& arguments, const Invocation& invocation) {
 }  // namespace
 
 Verb run_verb() {
-    return {"run", "simulates a scene into an HDF5 file", [](CLI::App& command) -> VerbAction {
+    return {"run", "simulates a scene into an HDF5 file", [](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<RunArguments>();
-                command.add_option("SCENE", arguments->scene, "scene file")->required();
-                command.add_flag("--overwrite", arguments->overwrite,
-                                 "begin anew where an unfinished run is");
+                command.argument("SCENE", arguments->scene, "scene file");
+                command.flag("--overwrite", arguments->overwrite,
+                             "begin anew where an unfinished run is");
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::threads, CommonOption::simd,
                                     CommonOption::seed, CommonOption::set, CommonOption::json,

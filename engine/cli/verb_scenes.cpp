@@ -4,7 +4,6 @@
 #include "engine/cli/verb.hpp"
 #include "engine/scene/scene.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -100,9 +99,10 @@ ExitCode list_scenes(const ScenesArguments& arguments) {
 }  // namespace
 
 Verb scenes_verb() {
-    return {"scenes", "lists scene files with their titles", [](CLI::App& command) -> VerbAction {
+    return {"scenes", "lists scene files with their titles",
+            [](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<ScenesArguments>();
-                command.add_option(
+                command.optional_argument(
                     "FOLDER", arguments->folder,
                     "where to look (default: the scenes that come with the program)");
                 add_common_options(command, arguments->common, {CommonOption::json});

@@ -7,7 +7,6 @@
 #include "engine/reports/stability.hpp"
 #include "engine/reports/step_ladder.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -234,14 +233,14 @@ ExitCode stability(const StabilityArguments& arguments, const reports::DrawPlot&
 
 Verb stability_verb(const reports::DrawPlot& draw) {
     return {"stability", "stiff and extreme scenes with every method; exit code 4 if one surprises",
-            [draw](CLI::App& command) -> VerbAction {
+            [draw](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<StabilityArguments>();
-                command.add_option(
+                command.optional_arguments(
                     "SCENES", arguments->scenes,
                     "scenes that say what must hold (default: all of scenes/stress)");
-                command.add_flag("--steps", arguments->steps,
-                                 "raise the step of explicit methods until they blow up, beside "
-                                 "the program's own estimate (default: scenes/bench)");
+                command.flag("--steps", arguments->steps,
+                             "raise the step of explicit methods until they blow up, beside "
+                             "the program's own estimate (default: scenes/bench)");
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::threads, CommonOption::seed,
                                     CommonOption::set, CommonOption::json, CommonOption::quiet,

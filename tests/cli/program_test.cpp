@@ -1,7 +1,6 @@
 #include "engine/cli/options.hpp"
 #include "engine/cli/program.hpp"
 
-#include <CLI/CLI.hpp>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -19,7 +18,7 @@ struct Outcome {
 
 /// A verb that does nothing but what the test says.
 Verb made_up_verb(const std::string& name, const VerbAction& action) {
-    return {name, "made up for the test", [action](CLI::App& command) {
+    return {name, "made up for the test", [action](CommandLine& command) {
                 const auto common = std::make_shared<CommonOptions>();
                 add_common_options(command, *common, {CommonOption::json, CommonOption::threads});
                 return VerbAction(
