@@ -99,13 +99,18 @@ void judge_stop(const scene::Stability& rule, StabilityRow& row) {
             fmt::format("stopped at t = {:g} s, later than {:g} s", row.run.time_s, rule.within_s));
 }
 
+constexpr double k_longer_without_time = 10.0;
+
 /// Runs a scene that has loaded. What the engine refuses is noted, not thrown: it may be expected.
 void run_row(scene::Scene scene, const scene::Stability& rule, const StabilityOptions& options,
              double wall_limit_s, StabilityRow& row) {
     scene.method.name = row.method->name;
-    // A controller is a motion in time; where there is none, its end is held from the start.
-    if (!row.method->moves_in_time() && scene.cytosol)
-        scene.cytosol->controller = scene::VolumeController::exact;
+    if (!row.method->moves_in_time()) {
+        // A controller is a motion in time; where there is none, its end is held from the start.
+        if (scene.cytosol) scene.cytosol->controller = scene::VolumeController::exact;
+        // Nor does it come to the end of a motion in the motion's time: its steps grow until there.
+        for (scene::Stage& stage : scene.stages) stage.duration_s *= k_longer_without_time;
+    }
     scene = with_report_fields(scene);
     row.largest_step_h0 = row.force_change = row.pull_off_over_W = k_undefined;
     try {
