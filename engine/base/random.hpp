@@ -29,6 +29,7 @@ enum class RandomStream : std::uint32_t {
     probe = 4,
     orientation = 5,
     fastest_mode = 6,
+    bootstrap = 7,
 };
 
 }  // namespace spheroscope

@@ -11,6 +11,7 @@
 //     base <- scene
 //     base <- model <- contact <- forces, friction <- solve, measures <- stages <- run <- store,
 //     reports, inspect <- cli
+//     inspect <- statistics <- cli
 //
 // Pictures see what a run publishes (model, measures, run, store, scene) and the command line for
 // their verbs, never how the engine computes it. The panel sees the same and the pictures; its
@@ -41,9 +42,12 @@ const std::map<std::string, std::set<std::string>>& allowed_folders() {
         {"engine/store", with(staged, {"stages", "run"})},
         {"engine/reports", with(staged, {"stages", "run"})},
         {"engine/inspect", with(staged, {"stages", "run"})},
-        {"engine/cli", with(staged, {"stages", "run", "store", "reports", "inspect"})},
+        {"engine/statistics", with(staged, {"stages", "run", "inspect"})},
+        {"engine/cli",
+         with(staged, {"stages", "run", "store", "reports", "inspect", "statistics"})},
         {"render",
-         {"base", "model", "scene", "measures", "run", "store", "reports", "inspect", "cli"}},
+         {"base", "model", "scene", "measures", "run", "store", "reports", "inspect", "statistics",
+          "cli"}},
         {"viewer/model", {"base", "model", "scene", "measures", "run"}},
         {"viewer", {"base", "model", "scene", "measures", "run", "store", "cli"}},
     };

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "engine/statistics/cell_stress.hpp"
+#include "engine/statistics/contact_forces.hpp"
+#include "engine/statistics/coordination.hpp"
+#include "engine/statistics/probes.hpp"
+#include "engine/statistics/setup.hpp"
+#include "engine/statistics/tension_by_region.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace spheroscope::statistics {
+
+/// The state in which one run ended: everything that the figures need of one seed.
+struct RunStatistics {
+    std::string file;
+    std::uint64_t seed = 0;
+    std::string version;
+    std::string outcome;     ///< "" while the run goes on
+    std::string stage_name;  ///< of the frame
+    double time_s = 0.0;
+    Setup setup;
+    Totals totals{};
+    double R_th_um = 0.0;
+
+    // Probes, by distance from the middle over R_th.
+    std::vector<ProbeSample> sigma_h_nearest_kPa, sigma_h_smooth_kPa;
+    std::vector<ProbeSample> voids;
+    std::array<std::vector<ProbeSample>, 4> cell_stress_kPa;  ///< rows of all_cell_stresses()
+
+    std::array<double, 4> tension_nN_per_um{};    ///< in k_regions
+    std::vector<CellStress> equal_kPa, area_kPa;  ///< [cells] both weightings
+    std::vector<PairForce> pairs;
+    double touching_area_um2 = 0.1;
+
+    [[nodiscard]] double coordination_at(double threshold_um2) const;
+    /// Mean over the cells of one number of their stress, kPa; NaN where no cell touches another.
+    [[nodiscard]] double mean_stress_kPa(const CellStressRow& row, Weighting weighting) const;
+};
+
+/// Measures one frame of a run: some tenths of a second; `file` is left empty. Throws Error when
+/// there is no mechanics in it (no contacts in the scene, beads that are being packed), or it
+/// cannot be evaluated.
+[[nodiscard]] RunStatistics measure_run(const SnapshotPtr& frame);
+
+/// Replicates: runs of one setup, ascending by seed.
+struct SetupStatistics {
+    std::string label;   ///< what tells it from the others
+    std::string family;  ///< the same without Et/omega: setups of one line of a plot over it
+    std::vector<RunStatistics> runs;
+
+    [[nodiscard]] const Setup& setup() const { return runs.front().setup; }
+};
+
+/// Puts runs of the same setup together, in the order of gamma/omega, Et/omega and N, and labels
+/// them by what differs between them. Throws Error when a seed is there twice in a setup.
+[[nodiscard]] std::vector<SetupStatistics> group_by_setup(std::vector<RunStatistics> runs);
+
+}  // namespace spheroscope::statistics
