@@ -2,6 +2,7 @@
 #include "engine/cli/program.hpp"
 #include "engine/cli/reference.hpp"
 #include "engine/cli/verb.hpp"
+#include "engine/cli/verb_extract.hpp"
 #include "engine/cli/verb_inspect.hpp"
 #include "engine/cli/version.hpp"
 #ifdef SPHEROSCOPE_HAS_RENDER
@@ -32,6 +33,7 @@ int main(int argc, char** argv) {
 #endif
     std::vector<cli::Verb> verbs = cli::engine_verbs(draw);
     verbs.push_back(cli::inspect_verb(draw_contact));
+    verbs.push_back(cli::extract_verb());
 #ifdef SPHEROSCOPE_HAS_RENDER
     for (cli::Verb& verb : render_verbs()) verbs.push_back(std::move(verb));
 #endif

@@ -11,6 +11,7 @@
 #include "engine/run/companion.hpp"
 #include "engine/stages/choices.hpp"
 #include "engine/store/checkpoint_file.hpp"
+#include "engine/store/held_load_file.hpp"
 #include "engine/store/run_file.hpp"
 #include "engine/store/xdmf.hpp"
 
@@ -48,6 +49,7 @@ std::optional<GivenCells> given_cells(const scene::Scene& scene) {
             given.x_um.emplace_back(double{snapshot->x_um[i]}, double{snapshot->x_um[i + 1]},
                                     double{snapshot->x_um[i + 2]});
         return given;
+        if (scene.held) given.held = read_held_load(path.string());
     } catch (const Error& error) {
         throw Error(scene.cells.loc,
                     "cells.file: no cells can be had from this run\n  " + std::string(error.what()),

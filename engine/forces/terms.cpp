@@ -5,7 +5,7 @@
 namespace spheroscope {
 namespace {
 
-constexpr std::array<ForceTermRow, 8> k_terms{{
+constexpr std::array<ForceTermRow, 9> k_terms{{
     {"cortex.elastic", "(8)", "engine/forces/in_plane_elasticity.cpp",
      "springs on the edges resist stretch and shear", true, true, true},
     {"cortex.bending", "(9), (10)", "engine/forces/bending.cpp",
@@ -22,6 +22,8 @@ constexpr std::array<ForceTermRow, 8> k_terms{{
      "a spherical wall pushes the cells together", false, false, false},
     {"body_force", "", "engine/forces/body_force.cpp", "a constant force on whole cells", false,
      false, true},
+    {"load.held", "", "engine/forces/held_force.cpp",
+     "what surroundings that are gone did at one moment", false, false, true},
 }};
 
 }  // namespace

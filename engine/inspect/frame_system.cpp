@@ -24,6 +24,11 @@ FrameSystem::FrameSystem(std::shared_ptr<const RunHeader> header, std::vector<in
       cells_(std::move(cells)), detail_(detail) {
     if (!scene_.contact)
         throw Error("the run's scene has no [contact]: its cells do not touch each other");
+    if (scene_.held && detail_ == Detail::forces)
+        throw Error(
+            "the forces that [load.held] of the run's scene holds are not in its frames",
+            "contacts can be looked at without --node, and extracted from the run that they "
+            "come from");
     if (cells_.empty()) {
         cells_.resize(idx(header_->n_cells));
         std::iota(cells_.begin(), cells_.end(), 0);

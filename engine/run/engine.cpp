@@ -52,11 +52,13 @@ Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
     header_ = std::make_shared<RunHeader>();
     header_->topology = make_icosphere(scene.cells.nodes);
     use_mesh(scene.stages.front().nodes);
+    if (given && given->held) held_force_nN_ = given->held->force_nN;
     const Model& model = system_->model();
     run_.state.x_um = start_positions(scene, model, given);
     run_.state.v_um_per_s.assign(model.n_all_nodes(), Vec3::Zero());
     run_.state.volume_integral_s.assign(model.radius_um.size(), 0.0);
 
+    if (given && given->held) run_.state.volume_integral_s = given->held->volume_integral_s;
     header_->n_cells = model.n_cells();
     header_->title = scene.title;
     header_->scene_name = scene.file.substr(scene.file.find_last_of('/') + 1);
@@ -97,8 +99,8 @@ void Engine::use_mesh(int n_nodes) {
     const int n_threads =
         std::clamp(static_cast<int>(model.n_all_nodes() / k_nodes_per_thread), 1, options_.threads);
     // Measures look at normals and volumes even where no force needs them.
-    system_ = std::make_unique<System>(std::move(model), build_parts(scene_), n_threads,
-                                       Need::triangles | Need::volumes);
+    system_ = std::make_unique<System>(std::move(model), build_parts(scene_, held_force_nN_),
+                                       n_threads, Need::triangles | Need::volumes);
     for (const Field& field : all_fields())
         system_->counters().fields.push_back({std::string(field.name), 0});
 }

@@ -124,3 +124,4 @@ class Engine {
 };
 
 }  // namespace spheroscope
+std::vector<Vec3> held_force_nN_;  // [all nodes]; empty without [load.held]

@@ -181,6 +181,9 @@ const auto& tables() {
               "Friction between touching cells, eqns (17), (18)."},
         Table{"load.body_force", part, &enter<&Scene::body_force>, {},
               "A constant force on each cell, spread by rest area."},
+        Table{"load.held", part, &enter<&Scene::held>, with_file,
+              "Forces on all nodes, constant in time, which `cells.file` holds: what surroundings "
+              "that are gone did at one moment (`extract`)."},
         Table{"method", standard, &enter<&Scene::method>, {}, "How the run is advanced in time."},
         Table{"stage", list, &enter<&Scene::stages>, {},
               "What happens, one after the other. At least one."},

@@ -130,6 +130,12 @@ struct BodyForce {
     bool opposed = false;  ///< cell 0 gets +force, cell 1 gets -force
 };
 
+/// Forces that `cells.file` holds for the nodes of its cells, constant in time, and the integrals of
+/// their volume controllers at the start.
+struct Held {
+    Loc loc;
+};
+
 enum class StableStep { refuse, follow, ignore };
 
 struct Method {
@@ -234,6 +240,7 @@ struct Scene {
     std::optional<Medium> medium;
     std::optional<Contact> contact;
     std::optional<BodyForce> body_force;
+    std::optional<Held> held;
     Method method;
     std::vector<Stage> stages;
     Measures measures;

@@ -8,6 +8,7 @@
 #include "engine/forces/contact_traction.hpp"
 #include "engine/forces/contact_variational.hpp"
 #include "engine/forces/fold_stop.hpp"
+#include "engine/forces/held_force.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/forces/strain_limiter.hpp"
 #include "engine/friction/cortex_viscosity.hpp"
@@ -73,6 +74,11 @@ void check_given(const scene::Scene& scene, const Model& model, const GivenCells
     if (given.n_nodes != scene.cells.nodes)
         fail("have " + std::to_string(given.n_nodes) + " nodes, cells.nodes wants " +
              std::to_string(scene.cells.nodes));
+    if (scene.held && (!given.held || given.held->force_nN.size() != model.n_all_nodes() ||
+                       given.held->volume_integral_s.size() != model.radius_um.size()))
+        throw Error(scene.held->loc,
+                    "[load.held]: " + scene.cells.file + " holds no forces for these cells",
+                    "files that `extract` has written hold some");
     for (int cell = 0; cell < model.n_cells(); ++cell) {
         const auto x = model.cell_nodes(std::span<const Vec3>(given.x_um), cell);
         for (const Vec3& node : x)
@@ -86,7 +92,12 @@ void check_given(const scene::Scene& scene, const Model& model, const GivenCells
 
 std::vector<double> cell_radii(const scene::Scene& scene, const std::optional<GivenCells>& given) {
     const scene::Cells& cells = scene.cells;
-    if (cells.arrangement == scene::Arrangement::file) return given.value().radius_um;
+    if (cells.arrangement == scene::Arrangement::file) {
+        if (!given)
+            throw Error(cells.loc, "cells from a file cannot be had here",
+                        "`run` and the verbs that show runs begin with such cells");
+        return given->radius_um;
+    }
     if (cells.arrangement == scene::Arrangement::centres) {
         std::vector<double> radii;
         for (const auto& row : cells.centres_um) radii.push_back(row[3]);
@@ -152,7 +163,7 @@ void place_cells(const Model& model, std::span<const Vec3> centre_um, std::uint6
     }
 }
 
-SystemParts build_parts(const scene::Scene& scene) {
+SystemParts build_parts(const scene::Scene& scene, std::span<const Vec3> held_force_nN) {
     SystemParts parts;
     const double t_um = scene.cortex.thickness_um;
     const auto add = [&](auto term) {
@@ -203,6 +214,9 @@ SystemParts build_parts(const scene::Scene& scene) {
         add(std::make_unique<BodyForce>(
             p->loc,
             BodyForceParameters{Vec3(p->force_nN[0], p->force_nN[1], p->force_nN[2]), p->opposed}));
+    if (const auto& p = scene.held)
+        add(std::make_unique<HeldForce>(
+            p->loc, std::vector<Vec3>(held_force_nN.begin(), held_force_nN.end())));
     if (has_wall(scene))
         parts.wall = add(std::make_unique<CompactionWall>(
             scene.stages.front().loc, CompactionWallParameters{wall_stiffness_kPa_per_um(scene)}));

@@ -6,16 +6,26 @@
 #include "engine/stages/bead_packing.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace spheroscope {
+
+/// What acts on cells that were taken out of a larger run: the forces that hold them in the motion
+/// that they had there, and the integrals of their volume controllers, which belong to the
+/// pressures that they had.
+struct HeldLoad {
+    std::vector<Vec3> force_nN;             ///< [n_cells * n_nodes] constant in time
+    std::vector<double> volume_integral_s;  ///< [n_cells] at the start
+};
 
 /// Cells that come from elsewhere (a frame of an earlier run).
 struct GivenCells {
     std::vector<double> radius_um;  ///< [n_cells]
     std::vector<Vec3> x_um;         ///< [n_cells * n_nodes]
     int n_nodes = 0;
+    std::optional<HeldLoad> held = {};  ///< for scenes with [load.held]
 };
 
 /// Radii of the scene's cells; for a packing they are drawn, for a given start they are the given
@@ -24,7 +34,8 @@ struct GivenCells {
                                              const std::optional<GivenCells>& given);
 
 /// Node positions at the start; for a packing all zero until the beads are replaced.
-/// Throws Error when given cells are inside out, not finite, or do not fit the scene's mesh.
+/// Throws Error when given cells are inside out, not finite, or do not fit the scene's mesh, or when
+/// held forces are asked for that are not given.
 [[nodiscard]] std::vector<Vec3> start_positions(const scene::Scene& scene, const Model& model,
                                                 const std::optional<GivenCells>& given);
 
@@ -33,8 +44,10 @@ struct GivenCells {
 void place_cells(const Model& model, std::span<const Vec3> centre_um, std::uint64_t seed,
                  std::span<Vec3> x_um);
 
-/// The terms, frictions and contact law that the scene names.
-[[nodiscard]] SystemParts build_parts(const scene::Scene& scene);
+/// The terms, frictions and contact law that the scene names. held_force_nN [all nodes] is what
+/// [load.held] of the scene stands for; only a system whose forces nobody asks for can do without.
+[[nodiscard]] SystemParts build_parts(const scene::Scene& scene,
+                                      std::span<const Vec3> held_force_nN = {});
 
 [[nodiscard]] MethodParameters method_parameters(const scene::Scene& scene);
 [[nodiscard]] BeadPackingParameters packing_parameters(const scene::Stage& stage);

@@ -59,6 +59,7 @@ PlanRow term_row(const scene::Scene& scene, const ForceTermRow& term) {
     if (name == "cytosol") return table_row(name, term.equation, scene.cytosol, name);
     if (name == "body_force")
         return table_row(name, term.equation, scene.body_force, "load.body_force");
+    if (name == "load.held") return table_row(name, term.equation, scene.held, name);
     if (name == "stage.compact") return wall_row(scene, term);
     SPHEROSCOPE_ASSERT(name.starts_with("cortex.regularisation."), name);
     return regularisation_row(scene, term);

@@ -7,6 +7,7 @@
 #include "engine/forces/compaction_wall.hpp"
 #include "engine/forces/cytosol_pressure.hpp"
 #include "engine/forces/fold_stop.hpp"
+#include "engine/forces/held_force.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/forces/strain_limiter.hpp"
 #include "engine/forces/terms.hpp"
@@ -18,7 +19,16 @@
 namespace spheroscope::test {
 namespace {
 constexpr Need k_all_needs = Need::triangles | Need::volumes;
+
+/// One for each node of the largest test cells; smaller ones read the first of them.
+std::vector<Vec3> held_forces_nN() {
+    const Random random(1, 78);
+    std::vector<Vec3> force_nN;
+    for (std::uint64_t i = 0; i < 2 * 2562; ++i)
+        force_nN.emplace_back(random.normal(i, 0), random.normal(i, 1), 1.0 + random.normal(i, 2));
+    return force_nN;
 }
+}  // namespace
 
 TestCell::TestCell(int n_nodes, double R_um)
     : model(make_model(make_icosphere(n_nodes), {7.0, R_um}, 0.01)) {
@@ -78,6 +88,7 @@ std::vector<std::unique_ptr<ForceTerm>> make_all_terms() {
     terms.push_back(std::make_unique<CompactionWall>(Loc{}, CompactionWallParameters{50.0}));
     terms.push_back(
         std::make_unique<BodyForce>(Loc{}, BodyForceParameters{{1.0, -2.0, 0.5}, true}));
+    terms.push_back(std::make_unique<HeldForce>(Loc{}, held_forces_nN()));
     return terms;
 }
 

@@ -34,6 +34,10 @@ dt_max = "0.05 s"
 SmallRun run_scene_text(const std::string& text) {
     const scene::Scene scene = scene::parse_scene(text, "small.toml");
     Engine engine(scene, {.threads = 1, .version = {}, .command_line = {}});
+    return run_engine(engine);
+}
+
+SmallRun run_engine(Engine& engine) {
     SmallRun run;
     EngineSinks sinks;
     sinks.frame = [&](SnapshotPtr frame) -> std::optional<std::string> {

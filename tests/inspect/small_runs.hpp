@@ -33,5 +33,7 @@ struct PairScene {
 [[nodiscard]] std::string text_of(const PairScene& pair);
 
 [[nodiscard]] SmallRun run_scene_text(const std::string& text);
+/// To its end.
+[[nodiscard]] SmallRun run_engine(Engine& engine);
 
 }  // namespace spheroscope::test

@@ -1,0 +1,139 @@
+// Two cells taken out of a run, with what everything else did to them held.
+#include "engine/inspect/extract.hpp"
+#include "tests/inspect/small_runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace spheroscope::inspect {
+namespace {
+
+using test::PairScene;
+using test::SmallRun;
+
+/// Three cells in a bent row, so that cell 0 is pulled aside by a third one.
+SmallRun three_cells(double duration_s) {
+    PairScene scene;
+    scene.nodes = 42;
+    scene.cells = ", [0, 15.5, 17, 9]";
+    scene.stages = "[[stage]]\nkind = \"relax\"\nduration = " + std::to_string(duration_s) +
+                   "\nevery = " + std::to_string(duration_s) + "\n";
+    return test::run_scene_text(test::text_of(scene));
+}
+
+ExtractedPair extract(const SmallRun& run, const ContactKey& key) {
+    FrameSystem whole(run.header, {}, FrameSystem::Detail::forces);
+    whole.load(run.last());
+    return extract_pair(whole, key, "pair.h5", 1.0);
+}
+
+SmallRun run_pair(const ExtractedPair& pair, bool is_held) {
+    std::string text = pair.scene_toml;
+    const std::string table = "[load.held]\n";
+    if (!is_held) text.erase(text.find("\n" + table) + 1, table.size());
+    const scene::Scene scene = scene::parse_scene(text, "pair.toml");
+    GivenCells given;
+    given.n_nodes = pair.header->topology->n_nodes();
+    for (const float radius : pair.header->radius_um) given.radius_um.push_back(double{radius});
+    for (std::size_t i = 0; i < pair.frame.x_um.size(); i += 3)
+        given.x_um.emplace_back(double{pair.frame.x_um[i]}, double{pair.frame.x_um[i + 1]},
+                                double{pair.frame.x_um[i + 2]});
+    if (is_held) given.held = pair.load;
+    Engine engine(scene, {.threads = 1, .version = {}, .command_line = {}}, given);
+    return test::run_engine(engine);
+}
+
+double force_of(const Snapshot& frame, int a, int b) {
+    for (const ContactLink& link : frame.links)
+        if (link.cell_a == a && link.cell_b == b) return double{link.force_nN};
+    ADD_FAILURE() << "no contact " << a << "-" << b;
+    return 0.0;
+}
+
+TEST(ExtractedPair, BeginsWithTheContactForceThatTheRunHad) {
+    const SmallRun run = three_cells(0.5);
+    for (const ContactKey& key : {ContactKey{0, 1}, ContactKey{1, 2}}) {
+        SCOPED_TRACE(key.text());
+        const SmallRun pair = run_pair(extract(run, key), true);
+        const double wanted = force_of(*run.last(), key.cell_a, key.cell_b);
+        // Positions are stored in single precision: 1e-6 um of overlaps of 0.3 um.
+        EXPECT_NEAR(force_of(*pair.frames.front(), 0, 1), wanted, 1e-4 * std::abs(wanted));
+    }
+}
+
+TEST(ExtractedPair, KeepsTheForceOfACellThatIsPressedOnAndLosesItAlone) {
+    PairScene scene;
+    scene.nodes = 42;
+    scene.extra = "[load.body_force]\nforce = [0, 0, \"10 nN\"]\nopposed = true\n";
+    scene.stages = "[[stage]]\nkind = \"relax\"\nduration = 20\nevery = 20\n";
+    const SmallRun run = test::run_scene_text(test::text_of(scene));
+    const double wanted = force_of(*run.last(), 0, 1);
+    ASSERT_NEAR(wanted, 10.0, 1.0);
+    const ExtractedPair extracted = extract(run, {0, 1});
+    const double held = force_of(*run_pair(extracted, true).last(), 0, 1);
+    const double free = force_of(*run_pair(extracted, false).last(), 0, 1);
+    EXPECT_NEAR(held, wanted, 0.05 * wanted);
+    EXPECT_LT(free, 0.5 * wanted);
+}
+
+TEST(ExtractedPair, MovesAsItDidInTheRun) {
+    // Held forces stand for F = Gamma v: without them the pair has other velocities.
+    const SmallRun run = three_cells(0.5);
+    FrameSystem whole(run.header, {}, FrameSystem::Detail::forces);
+    whole.load(run.last());
+    const ExtractedPair pair = extract_pair(whole, {0, 1}, "pair.h5", 1.0);
+    std::vector<Vec3> v(whole.system().model().n_all_nodes(), Vec3::Zero());
+    static_cast<void>(whole.system().solve_friction(whole.system().force_nN(), v, 1e-10));
+    FrameSystem two(run.header, {0, 1}, FrameSystem::Detail::forces);
+    two.load(run.last());
+    std::vector<Vec3> force_nN(two.system().force_nN().begin(), two.system().force_nN().end());
+    for (std::size_t i = 0; i < force_nN.size(); ++i) force_nN[i] += pair.load.force_nN[i];
+    std::vector<Vec3> v_pair(force_nN.size(), Vec3::Zero());
+    static_cast<void>(two.system().solve_friction(force_nN, v_pair, 1e-10));
+    double error2 = 0.0, size2 = 0.0;
+    for (std::size_t i = 0; i < v_pair.size(); ++i) {
+        error2 += (v_pair[i] - v[i]).squaredNorm();
+        size2 += v[i].squaredNorm();
+    }
+    EXPECT_LT(error2, 1e-12 * size2);
+}
+
+TEST(ExtractedPair, HoldsTheWallThatPressedIt) {
+    PairScene scene;
+    scene.nodes = 42;
+    scene.cells = ", [0, 15.5, 17, 9]";
+    scene.stages = "[[stage]]\nkind = \"compact\"\nduration = 2\nevery = 2\n";
+    const SmallRun run = test::run_scene_text(test::text_of(scene));
+    ASSERT_GT(run.last()->diagnostics.wall_force_nN, 1.0);
+    const double wanted = force_of(*run.last(), 0, 1);
+    const ExtractedPair pair = extract(run, {0, 1});
+    EXPECT_NEAR(force_of(*run_pair(pair, true).frames.front(), 0, 1), wanted,
+                1e-4 * std::abs(wanted));
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& f : pair.load.force_nN) sum += f;
+    EXPECT_GT(sum.norm(), 1.0) << "the wall and the third cell push the pair";
+}
+
+TEST(ExtractedPair, IsRefusedWhereThereIsNoContact) {
+    const SmallRun run = three_cells(0.5);
+    try {
+        static_cast<void>(extract(run, {0, 2}));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what())
+                      .find("do not touch in frame 1\n  hint: nearest "
+                            "contacts: "),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(ExtractedPair, SceneThatAsksForHeldForcesIsRefusedWithoutThem) {
+    ExtractedPair pair = extract(three_cells(0.5), {0, 1});
+    pair.load.force_nN.pop_back();
+    EXPECT_THROW(static_cast<void>(run_pair(pair, true)), Error);
+}
+
+}  // namespace
+}  // namespace spheroscope::inspect
