@@ -38,7 +38,7 @@ struct MovieArguments {
     cli::CommonOptions common;
 };
 
-/// A run of exactly this scene that came to its end.
+/// A run of exactly this scene, with nothing changed on the way, that came to its end.
 bool has_finished_run(const cli::RunPlace& place, const scene::Scene& scene) {
     if (!fs::exists(place.run_file())) return false;
     try {
@@ -48,7 +48,8 @@ bool has_finished_run(const cli::RunPlace& place, const scene::Scene& scene) {
         const auto physics = [](const std::string& text) {
             return text.substr(0, text.find("[[picture]]"));
         };
-        return reader.is_complete() && reader.header()->version == cli::version_text() &&
+        return reader.is_complete() && reader.changes().empty() &&
+               reader.header()->version == cli::version_text() &&
                physics(stored.resolved_toml) == physics(scene.resolved_toml);
     } catch (const Error&) {
         return false;  // whatever is there is not this run; simulate() says what it thinks of it

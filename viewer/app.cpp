@@ -1,8 +1,10 @@
 #include "viewer/app.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/cli/interrupt.hpp"
 #include "render/png.hpp"
 #include "render/provenance.hpp"
+#include "viewer/live_run.hpp"
 #include "viewer/painter.hpp"
 #include "viewer/panels/panel.hpp"
 
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -40,8 +43,10 @@ std::optional<Key> key_of(int glfw_key) {
     case GLFW_KEY_RIGHT: return Key::right;
     case GLFW_KEY_HOME: return Key::home;
     case GLFW_KEY_END: return Key::end;
+    case GLFW_KEY_PERIOD: return Key::period;
     case GLFW_KEY_B: return Key::b;
     case GLFW_KEY_C: return Key::c;
+    case GLFW_KEY_N: return Key::n;
     case GLFW_KEY_P: return Key::p;
     case GLFW_KEY_Q: return Key::q;
     case GLFW_KEY_T: return Key::t;
@@ -53,15 +58,29 @@ std::optional<Key> key_of(int glfw_key) {
 
 class App {
   public:
-    App(Window& window, Frames& frames, PanelModel& model, const AppSettings& settings)
-        : window_(window), frames_(frames), model_(model), settings_(settings),
-          survey_(frames.survey()), painter_([] { Window::wake(); }) {}
+    App(Window& window, Frames& frames, PanelModel& model, LiveRun* live,
+        const AppSettings& settings)
+        : window_(window), frames_(frames), model_(model), live_(live), settings_(settings),
+          survey_(frames.survey()), painter_([] { Window::wake(); }) {
+        const scene::Picture& picture = model.view.now().picture;
+        if (picture.range == "given")
+            recorded_range_.assign(picture.given_range.begin(), picture.given_range.end());
+    }
 
     AppReport run();
 
   private:
     void take_input();
     void act(Action action);
+    /// Whether the action was one for the engine.
+    [[nodiscard]] bool command_engine(Action action);
+    void take_engines_news();
+    /// A range of colours that was given by hand is a change that belongs to the run.
+    void record_range();
+    [[nodiscard]] bool engine_runs() const {
+        return live_ != nullptr && !live_->is_over() && !live_->channel().is_paused();
+    }
+    [[nodiscard]] SnapshotPtr wanted_snapshot();
     void pick_at(const Sight& sight);
     void take_news();
     void request_picture();
@@ -74,6 +93,7 @@ class App {
     Window& window_;
     Frames& frames_;
     PanelModel& model_;
+    LiveRun* live_;
     const AppSettings& settings_;
     const Clock::time_point begin_ = Clock::now();
 
@@ -88,6 +108,9 @@ class App {
     };
     Wanted requested_;
     int n_requests_ = 0;
+    std::vector<double> recorded_range_;
+    std::int64_t logged_step_ = -1;
+    bool knows_end_ = false;
     std::optional<PaintedPicture> shown_;
     SnapshotPtr curves_of_;
     Curve radial_stress_, force_distribution_;
@@ -110,6 +133,7 @@ AppReport App::run() {
         request_picture();
         take_picture();
         draw_panels();
+        record_range();
         window_.end_frame();
         if (std::exchange(saves_panel_, false)) write_image("panel", window_.panel(), {});
     }
@@ -123,7 +147,41 @@ void App::take_input() {
                 act(*action);
 }
 
+bool App::command_engine(Action action) {
+    if (live_ == nullptr || live_->is_over()) {
+        const bool is_for_engine = action == Action::single_step || action == Action::until_event;
+        if (is_for_engine)
+            model_.message = live_ == nullptr ? "a stored run has no engine that could make a step"
+                                              : "the run is over";
+        return is_for_engine;
+    }
+    LiveChannel& channel = live_->channel();
+    switch (action) {
+    case Action::toggle_playing:
+        if (!model_.shows_engine()) return false;  // frames are played
+        channel.is_paused() ? channel.play() : channel.pause();
+        model_.follow_engine();
+        return true;
+    case Action::single_step:
+        channel.step();
+        model_.follow_engine();
+        return true;
+    case Action::until_event: {
+        Watched watched;
+        if (model_.selection) watched = {model_.selection->cell, model_.selection->other_cell};
+        channel.run_until_event(watched);
+        model_.follow_engine();
+        return true;
+    }
+    case Action::back:
+        if (model_.shows_engine()) channel.pause();  // what is looked back at would move on
+        return false;
+    default: return false;
+    }
+}
+
 void App::act(Action action) {
+    if (command_engine(action)) return;
     const std::optional<Action> left = model_.act(action);
     if (!left) return;
     const auto copy = [&](const std::string& text, const std::string& what) {
@@ -162,14 +220,47 @@ void App::pick_at(const Sight& sight) {
         spdlog::info("picked node {} of cell {}", model_.selection->node, model_.selection->cell);
 }
 
+void App::take_engines_news() {
+    // A look that cannot be drawn yet would cost the engine a measurement for nothing.
+    if (!shown_ || shown_->request.number == n_requests_) live_->take_look();
+    const KeptLooks& looks = live_->looks();
+    model_.live->n_looks = looks.size();
+    if (looks.size() > 0) model_.live->oldest_look_s = looks.back(looks.size() - 1)->time_s;
+    const std::string message = live_->channel().take_message();
+    if (!message.empty()) {
+        model_.message = message;
+        spdlog::info("{}", message);
+    }
+    if (const SnapshotPtr look = live_->newest_look();
+        look != nullptr && !engine_runs() && look->diagnostics.steps != logged_step_) {
+        logged_step_ = look->diagnostics.steps;
+        spdlog::info("paused at t = {:.6g} s, step {}", look->time_s, logged_step_);
+    }
+    if (live_->is_over() && !std::exchange(knows_end_, true)) {
+        spdlog::info("the run is over");
+        model_.message = "the run is over";
+    }
+    if (cli::interrupt_signal() != 0) window_.close();
+}
+
+void App::record_range() {
+    const scene::Picture& picture = model_.view.now().picture;
+    if (live_ == nullptr || picture.range != "given" || ImGui::IsAnyItemActive()) return;
+    const std::vector<double> range(picture.given_range.begin(), picture.given_range.end());
+    if (range == recorded_range_) return;
+    recorded_range_ = range;
+    live_->channel().order({0.0, "picture.given_range", range});
+}
+
 void App::take_news() {
+    if (live_ != nullptr) take_engines_news();
     for (const double time_s : frames_.take_new_times()) model_.playback.add_frame(time_s);
     if (frames_.n_surveyed() != survey_.n_frames() &&
         (seconds_since(surveyed_at_) > k_survey_every_s ||
          frames_.n_surveyed() == model_.playback.n_frames())) {
         survey_ = frames_.survey();
         surveyed_at_ = Clock::now();
-        if (survey_.n_frames() == model_.playback.n_frames())
+        if (live_ == nullptr && survey_.n_frames() == model_.playback.n_frames())
             spdlog::info("all {} frames were read after {:.2f} s", survey_.n_frames(),
                          seconds_since(begin_));
     }
@@ -180,14 +271,25 @@ void App::take_news() {
                               survey_.n_frames(), model_.playback.n_frames());
 }
 
-void App::request_picture() {
+SnapshotPtr App::wanted_snapshot() {
+    if (model_.shows_engine() || (live_ != nullptr && model_.playback.frame() < 0)) {
+        const int back = model_.live->looks_back;
+        if (SnapshotPtr look = back > 0 ? live_->looks().back(back) : live_->newest_look())
+            return look;
+    }
     const int frame = model_.playback.frame();
-    SnapshotPtr snapshot = frame < 0 ? nullptr : frames_.frame(frame);
+    return frame < 0 ? nullptr : frames_.frame(frame);
+}
+
+void App::request_picture() {
+    SnapshotPtr snapshot = wanted_snapshot();
     if (snapshot == nullptr) return;  // the one on show stays until it is there
     const int n_frames = model_.playback.n_frames();
-    Wanted wanted{std::move(snapshot), model_.view.now(),
-                  survey_.n_frames() == n_frames ? n_frames : 0,
-                  model_.wants_draft() ? render::Quality::draft : render::Quality::full};
+    Wanted wanted{
+        std::move(snapshot), model_.view.now(), survey_.n_frames() == n_frames ? n_frames : 0,
+        // While the engine runs, speed matters more than smooth edges.
+        model_.wants_draft() || (model_.shows_engine() && engine_runs()) ? render::Quality::draft
+                                                                         : render::Quality::full};
     if (wanted == requested_) return;
     render::View view = survey_.view_of(*wanted.snapshot, wanted.view.picture, n_frames);
     view.quality = wanted.quality;
@@ -257,6 +359,7 @@ void App::draw_panels() {
                        radial_stress_,
                        force_distribution_,
                        status_,
+                       live_,
                        [this](Action action) { act(action); },
                        [this](const Sight& sight) { pick_at(sight); },
                        window_.picture_texture(),
@@ -277,7 +380,7 @@ void App::draw_panels() {
     ImGui::BeginGroup();
     ImGui::BeginChild("right", {0.0F, std::max(1.0F, above - k_message_px - 6.0F)}, true);
     for (const PanelRow& row : all_panels()) {
-        if (row.side != Side::right) continue;
+        if (row.side != Side::right || (row.needs_engine && live_ == nullptr)) continue;
         const ImGuiTreeNodeFlags flags =
             row.opened ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
         if (ImGui::CollapsingHeader(std::string(row.title).c_str(), flags)) row.draw(panel);
@@ -299,8 +402,9 @@ void App::draw_panels() {
 
 }  // namespace
 
-AppReport run_app(Window& window, Frames& frames, PanelModel& model, const AppSettings& settings) {
-    return App(window, frames, model, settings).run();
+AppReport run_app(Window& window, Frames& frames, PanelModel& model, LiveRun* live,
+                  const AppSettings& settings) {
+    return App(window, frames, model, live, settings).run();
 }
 
 }  // namespace spheroscope::viewer

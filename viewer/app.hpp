@@ -9,6 +9,8 @@
 
 namespace spheroscope::viewer {
 
+class LiveRun;
+
 struct AppSettings {
     std::string run_file;  ///< bookmarks and pictures go beside it
     std::string folder;    ///< for pictures
@@ -24,8 +26,9 @@ struct AppReport {
     std::string copied;                  ///< what went into the clipboard last
 };
 
-/// Shows the panel until it is closed. Throws Error when nothing can be drawn.
-[[nodiscard]] AppReport run_app(Window& window, Frames& frames, PanelModel& model,
+/// Shows the panel until it is closed. `live`: the engine behind the frames; nullptr: there is
+/// none. Throws Error when nothing can be drawn.
+[[nodiscard]] AppReport run_app(Window& window, Frames& frames, PanelModel& model, LiveRun* live,
                                 const AppSettings& settings);
 
 }  // namespace spheroscope::viewer

@@ -1,8 +1,11 @@
+#include "engine/cli/interrupt.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/options.hpp"
+#include "engine/cli/report_output.hpp"
 #include "engine/cli/version.hpp"
 #include "render/verb_pictures.hpp"
 #include "viewer/app.hpp"
+#include "viewer/live_run.hpp"
 #include "viewer/stored_frames.hpp"
 #include "viewer/verbs.hpp"
 
@@ -22,6 +25,7 @@ constexpr int k_width_px = 1720, k_height_px = 1012;
 
 struct ViewArguments {
     std::string input;
+    bool overwrite = false, paused = false;
     cli::CommonOptions common;
 };
 
@@ -47,6 +51,10 @@ nlohmann::json document_of(const viewer::PanelModel& model, const viewer::AppRep
 
 ExitCode view_file(const ViewArguments& arguments) {
     const cli::CommonOptions& common = arguments.common;
+    if (arguments.overwrite || arguments.paused || common.threads > 0 || !common.simd.empty() ||
+        common.seed)
+        throw Error("--overwrite, --paused, --threads, --simd and --seed are about a scene that is "
+                    "simulated, not about a run that is stored");
     const std::vector<scene::Picture> pictures =
         pictures_of(RunFileReader(arguments.input), common);
     viewer::Window window("spheroscope: " + arguments.input, k_width_px, k_height_px);
@@ -58,23 +66,84 @@ ExitCode view_file(const ViewArguments& arguments) {
     settings.folder =
         common.output.empty() ? fs::path(arguments.input).parent_path().string() : common.output;
     settings.drawn_by = cli::version_text();
-    const viewer::AppReport report = viewer::run_app(window, frames, model, settings);
+    const viewer::AppReport report = viewer::run_app(window, frames, model, nullptr, settings);
     if (common.json) cli::print_json(document_of(model, report));
     return ExitCode::ok;
+}
+
+/// Throws Error where a run that is not over would be lost.
+void check_place(const cli::RunPlace& place, bool overwrite) {
+    if (overwrite || !fs::exists(place.run_file()) || RunFileReader(place.run_file()).is_complete())
+        return;
+    throw Error(place.run_file() + ": an unfinished run is there",
+                "`run --resume` goes on with it, --overwrite begins anew, -o writes elsewhere");
+}
+
+/// Runs the scene and shows it meanwhile. A window that is closed ends the run with a checkpoint.
+ExitCode view_scene(const ViewArguments& arguments, const cli::Invocation& invocation) {
+    const cli::CommonOptions& common = arguments.common;
+    const scene::Scene scene = scene::load_scene(arguments.input, common.overrides());
+    for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
+    if (scene.pictures.empty())
+        throw Error(Loc{arguments.input, 0, 0}, "a view needs at least one [[picture]]",
+                    "`run` simulates without pictures");
+    const cli::RunPlace place = cli::run_place(arguments.input, common);
+    check_place(place, arguments.overwrite);
+    cli::CommonOptions quiet = common;
+    quiet.quiet = true;  // the panel shows the progress
+    viewer::Window window("spheroscope: " + arguments.input, k_width_px, k_height_px);
+    viewer::LiveRun live(scene, place, quiet, {arguments.overwrite, arguments.paused}, invocation,
+                         [] { viewer::Window::wake(); });
+    if (arguments.paused) spdlog::info("the engine waits: Space plays, . makes one step");
+    viewer::PanelModel model(scene.pictures);
+    model.live.emplace();
+    model.follow_engine();
+    viewer::AppSettings settings;
+    settings.run_file = place.run_file();
+    settings.folder = place.folder;
+    settings.drawn_by = cli::version_text();
+    const viewer::AppReport report = viewer::run_app(window, live, model, &live, settings);
+    const cli::SimulationSummary summary = live.finish();
+    const double pace = live.channel().pace().overall();
+    if (common.json) {
+        nlohmann::json document = document_of(model, report);
+        document["run"] = cli::summary_json(summary, place);
+        document["changes"] = changes_text(live.channel().changes());
+        document["looks"] = live.looks().size();
+        document["model_s_per_wall_s"] = cli::number_or_null(pace);
+        cli::print_json(document);
+    } else {
+        fmt::print("{}model time           {:.3g} s in a second of wall time, pauses left out\n",
+                   cli::summary_text(summary, place), pace);
+    }
+    if (!summary.result.message.empty()) spdlog::error("{}", summary.result.message);
+    const bool by_hand =
+        summary.result.verdict == RunVerdict::stopped && cli::interrupt_signal() == 0;
+    if (by_hand)
+        spdlog::info("the window was closed; `run --resume` goes on with {}", place.run_file());
+    return by_hand ? ExitCode::ok : summary.code;
 }
 
 }  // namespace
 
 cli::Verb view_verb() {
-    return {"view", "shows a run in a window, frame by frame",
+    return {"view", "shows a run in a window: of a file, or of a scene while it is simulated",
             [](cli::CommandLine& command) -> cli::VerbAction {
                 using cli::CommonOption;
                 const auto arguments = std::make_shared<ViewArguments>();
-                command.argument("FILE", arguments->input, "HDF5 file of a run");
-                cli::add_common_options(
-                    command, arguments->common,
-                    {CommonOption::output, CommonOption::set, CommonOption::json});
-                return [arguments](const cli::Invocation&) { return view_file(*arguments); };
+                command.argument("SCENE|FILE", arguments->input, "scene, or HDF5 file of a run");
+                command.flag("--overwrite", arguments->overwrite,
+                             "begin anew where an unfinished run is");
+                command.flag("--paused", arguments->paused,
+                             "a scene begins in a pause: Space plays, . makes one step");
+                cli::add_common_options(command, arguments->common,
+                                        {CommonOption::output, CommonOption::threads,
+                                         CommonOption::simd, CommonOption::seed, CommonOption::set,
+                                         CommonOption::json});
+                return [arguments](const cli::Invocation& invocation) {
+                    return is_run_file(arguments->input) ? view_file(*arguments)
+                                                         : view_scene(*arguments, invocation);
+                };
             }};
 }
 

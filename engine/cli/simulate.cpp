@@ -19,6 +19,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <limits>
@@ -48,8 +49,8 @@ std::optional<GivenCells> given_cells(const scene::Scene& scene) {
         for (std::size_t i = 0; i + 2 < snapshot->x_um.size(); i += 3)
             given.x_um.emplace_back(double{snapshot->x_um[i]}, double{snapshot->x_um[i + 1]},
                                     double{snapshot->x_um[i + 2]});
-        return given;
         if (scene.held) given.held = read_held_load(path.string());
+        return given;
     } catch (const Error& error) {
         throw Error(scene.cells.loc,
                     "cells.file: no cells can be had from this run\n  " + std::string(error.what()),
@@ -212,7 +213,8 @@ RunPlace run_place(const std::string& scene_file, const CommonOptions& options) 
 
 SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
                            const CommonOptions& options, bool overwrite,
-                           const Invocation& invocation) {
+                           const Invocation& invocation, const std::vector<Change>& changes,
+                           LiveControl* live) {
     check_expectation_names(scene);
     EngineOptions engine_options;
     engine_options.threads = options.n_threads();
@@ -225,6 +227,9 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     engine_options.wall_limit_s = options.time_limit_s().value_or(0.0);
     engine_options.checkpoint_every_wall_s =
         options.checkpoint_every_s().value_or(engine_options.checkpoint_every_wall_s);
+    engine_options.changes = changes;
+    if (options.resume && fs::exists(place.run_file()))
+        engine_options.changes = RunFileReader(place.run_file()).changes();
     Engine engine(scene, engine_options, given_cells(scene));
 
     std::error_code failed;
@@ -251,8 +256,19 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     // However this function is left, the store sees the end of its frames before it is joined.
     const std::unique_ptr<FrameQueue, void (*)(FrameQueue*)> close_at_end(
         &queue, [](FrameQueue* q) { q->close(); });
+    std::vector<Change> made = engine_options.changes;
+    if (!made.empty()) store.record_changes(made);
     Progress progress(progress_style(options.quiet));
     EngineSinks sinks;
+    sinks.live = live;
+    sinks.changed = [&](const Change& change) {
+        // A resumed run may still have changes of its file before it.
+        made.insert(
+            std::upper_bound(made.begin(), made.end(), change,
+                             [](const Change& a, const Change& b) { return a.time_s < b.time_s; }),
+            change);
+        store.record_changes(made);
+    };
     sinks.frame = [&](SnapshotPtr frame) { return queue.push(std::move(frame)); };
     sinks.checkpoint = [&](const CheckpointData& data) {
         store.when_written(engine.state().frames,
@@ -286,6 +302,7 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
         result.outcome = "stopped";
         result.message = *reason;
     }
+    engine_options.changes = made;
     if (!store.has_failed()) {
         if (is_over(result.verdict) && scene.measures.time_error)
             measure_time_error(scene, engine_options, interrupts.stop(), result);

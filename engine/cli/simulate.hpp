@@ -31,9 +31,13 @@ struct SimulationSummary {
 /// joined before this returns. SIGINT and SIGTERM end the step in progress and leave a checkpoint.
 /// With options.resume the run goes on from its newest checkpoint. Throws Error when it cannot
 /// begin: an unfinished run is never overwritten unless `overwrite`.
+/// `changes` are made on the way; those and what `live` changes are recorded in the run's file. A
+/// resumed run makes the changes that its file holds.
 [[nodiscard]] SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
                                          const CommonOptions& options, bool overwrite,
-                                         const Invocation& invocation);
+                                         const Invocation& invocation,
+                                         const std::vector<Change>& changes = {},
+                                         LiveControl* live = nullptr);
 
 /// The summary for people, and for scripts.
 [[nodiscard]] std::string summary_text(const SimulationSummary& summary, const RunPlace& place);

@@ -18,6 +18,11 @@ void StoreThread::when_written(int n_frames, const std::function<void()>& action
     if (!has_failed()) action();
 }
 
+void StoreThread::record_changes(const std::vector<Change>& changes) {
+    const std::lock_guard lock(mutex_);
+    if (!has_failed()) writer_.record_changes(changes);
+}
+
 void StoreThread::write_all(FrameQueue::Reader& reader) {
     while (SnapshotPtr frame = reader.next()) {
         const std::lock_guard lock(mutex_);

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace spheroscope::cli {
 
@@ -27,6 +28,9 @@ class StoreThread {
     /// Waits for `n_frames` frames on the disk, then calls `action` with HDF5 to itself. Does not
     /// call it if the store has failed: what it would refer to is not there.
     void when_written(int n_frames, const std::function<void()>& action);
+
+    /// Brings the list of changes to the disk. Throws Error.
+    void record_changes(const std::vector<Change>& changes);
 
     // After join().
     void finish(const RunEnd& end) { writer_.finish(end); }

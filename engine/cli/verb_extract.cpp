@@ -2,13 +2,13 @@
 
 #include "engine/cli/frame_choice.hpp"
 #include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/cli/options.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/inspect/extract.hpp"
 #include "engine/scene/units.hpp"
 #include "engine/store/held_load_file.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -30,6 +30,10 @@ struct ExtractArguments {
 };
 
 ExitCode extract(const ExtractArguments& arguments) {
+    if (arguments.common.quiet) make_log_quiet();
+    if (arguments.contact.empty())
+        throw Error("extract wants the contact that is taken out",
+                    "name it with --contact 17-42; `inspect` lists them");
     const inspect::ContactKey key = inspect::parse_contact(arguments.contact);
     const scene::Quantity duration =
         scene::parse_quantity(arguments.duration, scene::Dimension::time);
@@ -83,25 +87,20 @@ ExitCode extract(const ExtractArguments& arguments) {
 }  // namespace
 
 Verb extract_verb() {
-    return {
-        "extract", "makes a scene of one contact, its surroundings' forces held",
-        [](CLI::App& command) -> VerbAction {
-            const auto arguments = std::make_shared<ExtractArguments>();
-            command.add_option("FILE", arguments->file, "HDF5 file of a run")->required();
-            command
-                .add_option("--contact", arguments->contact, "the two cells, for instance 17-42")
-                ->type_name("A-B")
-                ->required();
-            add_frame_options(command, arguments->frame);
-            command
-                .add_option("--duration", arguments->duration,
-                            "model time of the new scene (default: 1 s)")
-                ->type_name("TIME");
-            command.add_flag("--overwrite", arguments->overwrite, "replace files that are there");
-            add_common_options(command, arguments->common,
-                               {CommonOption::output, CommonOption::json, CommonOption::quiet});
-            return [arguments](const Invocation&) { return extract(*arguments); };
-        }};
+    return {"extract", "makes a scene of one contact, its surroundings' forces held",
+            [](CommandLine& command) -> VerbAction {
+                const auto arguments = std::make_shared<ExtractArguments>();
+                command.argument("FILE", arguments->file, "HDF5 file of a run");
+                command.option("--contact", arguments->contact,
+                               "the two cells, for instance 17-42; must be given", {"A-B"});
+                add_frame_options(command, arguments->frame);
+                command.option("--duration", arguments->duration,
+                               "model time of the new scene (default: 1 s)", {"TIME"});
+                command.flag("--overwrite", arguments->overwrite, "replace files that are there");
+                add_common_options(command, arguments->common,
+                                   {CommonOption::output, CommonOption::json, CommonOption::quiet});
+                return [arguments](const Invocation&) { return extract(*arguments); };
+            }};
 }
 
 }  // namespace spheroscope::cli

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <sstream>
+#include <string>
 
 namespace spheroscope::cli {
 namespace {
@@ -35,6 +37,7 @@ nlohmann::json describe(const RunFileReader& reader, const SnapshotPtr& last) {
                             {"outcome", reader.outcome()},
                             {"wall_s", reader.end().wall_time_s},
                             {"errors", accuracy_json(reader.end().errors)}};
+    if (!reader.changes().empty()) document["changes"] = changes_text(reader.changes());
     if (last) {
         document["time_s"] = last->time_s;
         document["steps"] = last->diagnostics.steps;
@@ -57,6 +60,11 @@ std::string describe_in_words(const RunFileReader& reader, const SnapshotPtr& la
         text += fmt::format("contact kernel       {}\n", header.contact_arithmetic);
     if (reader.end().wall_time_s > 0.0)
         text += fmt::format("wall time            {}\n", duration_text(reader.end().wall_time_s));
+    if (!reader.changes().empty()) {
+        text += "changed on the way   (s, key, value in um, s, nN)\n";
+        std::istringstream lines(changes_text(reader.changes()));
+        for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
+    }
     if (!last) return text;
     text += fmt::format("last frame           t = {:.4g} s, {}\nsteps                {} ({} "
                         "rejected), {} linear iterations\n",

@@ -1,12 +1,15 @@
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/simulate.hpp"
 #include "engine/cli/verb.hpp"
+#include "engine/store/run_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace spheroscope::cli {
 namespace {
@@ -17,12 +20,32 @@ struct RunArguments {
     CommonOptions common;
 };
 
+/// The scene to run, and what changes on the way.
+struct Task {
+    scene::Scene scene;
+    std::vector<Change> changes;
+};
+
+/// A run is repeated from what its file holds: the resolved scene and the changes.
+Task task_of(const RunArguments& arguments) {
+    const CommonOptions& common = arguments.common;
+    if (std::filesystem::path(arguments.scene).extension() != ".h5")
+        return {scene::load_scene(arguments.scene, common.overrides()), {}};
+    if (common.output.empty())
+        throw Error(arguments.scene + ": a run that is repeated needs another place",
+                    "name a folder with -o");
+    const RunFileReader reader(arguments.scene);
+    return {scene::parse_scene(reader.header()->resolved_scene, reader.header()->scene_name,
+                               common.overrides()),
+            reader.changes()};
+}
+
 ExitCode run(const RunArguments& arguments, const Invocation& invocation) {
-    const scene::Scene scene = scene::load_scene(arguments.scene, arguments.common.overrides());
+    const auto [scene, changes] = task_of(arguments);
     for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
     const RunPlace place = run_place(arguments.scene, arguments.common);
     const SimulationSummary summary =
-        simulate(scene, place, arguments.common, arguments.overwrite, invocation);
+        simulate(scene, place, arguments.common, arguments.overwrite, invocation, changes);
     if (arguments.common.json)
         print_json(summary_json(summary, place));
     else
@@ -34,9 +57,12 @@ ExitCode run(const RunArguments& arguments, const Invocation& invocation) {
 }  // namespace
 
 Verb run_verb() {
-    return {"run", "simulates a scene into an HDF5 file", [](CommandLine& command) -> VerbAction {
+    return {"run",
+            "simulates a scene into an HDF5 file, or a run once more with what was changed in it",
+            [](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<RunArguments>();
-                command.argument("SCENE", arguments->scene, "scene file");
+                command.argument("SCENE|FILE", arguments->scene,
+                                 "scene file, or HDF5 file of a run");
                 command.flag("--overwrite", arguments->overwrite,
                              "begin anew where an unfinished run is");
                 add_common_options(command, arguments->common,

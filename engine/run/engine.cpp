@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace spheroscope {
 namespace {
@@ -51,14 +52,14 @@ Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
     run_.radius_um = cell_radii(scene, given);
     header_ = std::make_shared<RunHeader>();
     header_->topology = make_icosphere(scene.cells.nodes);
-    use_mesh(scene.stages.front().nodes);
     if (given && given->held) held_force_nN_ = given->held->force_nN;
+    use_mesh(scene.stages.front().nodes);
     const Model& model = system_->model();
     run_.state.x_um = start_positions(scene, model, given);
     run_.state.v_um_per_s.assign(model.n_all_nodes(), Vec3::Zero());
     run_.state.volume_integral_s.assign(model.radius_um.size(), 0.0);
-
     if (given && given->held) run_.state.volume_integral_s = given->held->volume_integral_s;
+
     header_->n_cells = model.n_cells();
     header_->title = scene.title;
     header_->scene_name = scene.file.substr(scene.file.find_last_of('/') + 1);
@@ -74,6 +75,9 @@ Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
                                                                             : "double, ") +
             simd_target();
     header_->fields = chosen_fields(scene);
+    // A change that cannot be made is found now, not after hours.
+    scene::Scene changed = scene;
+    for (const Change& change : options.changes) apply_change(changed, change);
     for (const double radius : model.radius_um)
         header_->radius_um.push_back(static_cast<float>(radius));
 }
@@ -132,7 +136,13 @@ void Engine::resume(const RunState& run) {
         run.state.x_um.size() != run.radius_um.size() * idx(n_nodes))
         throw Error("the checkpoint is of other cells than the scene",
                     "resume with the scene that the run began with");
-    if (system_->model().n_nodes() != n_nodes) use_mesh(n_nodes);
+    const std::size_t n_before = n_changes_applied_;
+    while (n_changes_applied_ < options_.changes.size() &&
+           options_.changes[n_changes_applied_].time_s < run.state.time_s)
+        apply_change(scene_, options_.changes[n_changes_applied_++]);
+    const bool has_changed = n_changes_applied_ > n_before;
+    if (has_changed) method_ = chosen_method(scene_).make(method_parameters(scene_));
+    if (has_changed || system_->model().n_nodes() != n_nodes) use_mesh(n_nodes);
     run_ = run;
 }
 
@@ -141,6 +151,7 @@ RunResult Engine::run(const EngineSinks& sinks, const std::atomic<bool>& stop) {
     stop_ = &stop;
     started_wall_s_ = checkpointed_wall_s_ = wall_clock_s();
     result_ = {};
+    if (sinks.live != nullptr) sinks.live->begin(header_);
     const int n_stages = static_cast<int>(scene_.stages.size());
     Next next = Next::go_on;
     while (next == Next::go_on && run_.stage < n_stages) {
@@ -211,12 +222,13 @@ Engine::Next Engine::anneal(const scene::Stage& stage) {
     return Next::go_on;
 }
 
-Engine::Next Engine::advance(const scene::Stage& parameters) {
+// By value: changes make the scene anew.
+Engine::Next Engine::advance(const scene::Stage parameters) {
     const std::unique_ptr<Stage> stage = make_stage(parameters);
-    if (!run_.stage_has_begun) refine_to(parameters.nodes);
-    StageContext context{*system_, run_.state, run_.memory};
     if (!run_.stage_has_begun) {
+        refine_to(parameters.nodes);
         run_.memory.start_s = run_.state.time_s;
+        StageContext context{*system_, run_.state, run_.memory};
         stage->begin(context);
         run_.stage_has_begun = true;
         run_.has_energy = false;
@@ -232,6 +244,8 @@ Engine::Next Engine::advance(const scene::Stage& parameters) {
                                                        : k_check_every_s;
     StageEnd end = StageEnd::none;
     while (end == StageEnd::none) {
+        apply_changes();  // may make another system
+        StageContext context{*system_, run_.state, run_.memory};
         const double output_s =
             run_.memory.start_s + interval_s * static_cast<double>(run_.outputs_in_stage + 1);
         const double limit_s = std::min(output_s, stage->latest_end_s(context));
@@ -275,9 +289,12 @@ Engine::Next Engine::advance(const scene::Stage& parameters) {
                         cells_inside_each_other(*system_, run_.state.x_um, scene_.contact->loc))
                     return stop_unstable(step.dt_s, *trouble);
         }
-        if (end == StageEnd::none && between_steps(stage->progress(context)) == Next::stop)
-            return Next::stop;
+        if (end == StageEnd::none) {
+            show_look(stage->progress(context));
+            if (between_steps(stage->progress(context)) == Next::stop) return Next::stop;
+        }
     }
+    StageContext context{*system_, run_.state, run_.memory};
     stage->end(context);
     finish_stage(end);
     return Next::go_on;
@@ -395,19 +412,64 @@ Totals Engine::measure() {
     return totals;
 }
 
-Engine::Next Engine::publish(const Totals& totals, double progress) {
-    const scene::Stage& stage = scene_.stages[idx(run_.stage)];
+std::shared_ptr<Snapshot> Engine::snapshot_of(const Totals& totals, double progress) {
     const Configuration at = system_->configuration();
     auto snapshot = std::make_shared<Snapshot>(
         make_snapshot(header_, measure_input(at), run_.diagnostics, totals, system_->counters()));
     if (to_frames_) prolong(*snapshot, *to_frames_);
-    snapshot->frame = run_.frames++;
+    snapshot->frame = -1;
     snapshot->time_s = run_.state.time_s;
     snapshot->stage = run_.stage;
-    snapshot->stage_name = name_of(stage.kind);
+    snapshot->stage_name = name_of(scene_.stages[idx(run_.stage)].kind);
     snapshot->stage_progress = progress;
+    return snapshot;
+}
+
+void Engine::show_look(double progress) {
+    if (sinks_->live == nullptr || !sinks_->live->wants_look()) return;
+    // A measurement begins a new interval of the power balance; a look is none.
+    const auto before = std::tuple(run_.has_energy, run_.energy_fJ, run_.dissipated_fJ,
+                                   run_.driven_fJ, run_.diagnostics);
+    const Totals totals = measure();
+    sinks_->live->look(snapshot_of(totals, progress));
+    std::tie(run_.has_energy, run_.energy_fJ, run_.dissipated_fJ, run_.driven_fJ,
+             run_.diagnostics) = before;
+}
+
+void Engine::apply_changes() {
+    bool has_changed = false;
+    const auto apply = [&](const Change& change) {
+        apply_change(scene_, change);
+        if (find_changeable(change.key)->of == ChangeableRow::Of::engine) has_changed = true;
+    };
+    while (n_changes_applied_ < options_.changes.size() &&
+           options_.changes[n_changes_applied_].time_s <= run_.state.time_s)
+        apply(options_.changes[n_changes_applied_++]);
+    if (sinks_->live != nullptr)
+        for (Change& change : sinks_->live->take_changes()) {
+            change.time_s = run_.state.time_s;
+            try {
+                apply(change);
+            } catch (const Error& error) {
+                sinks_->live->refused(change, error.what());
+                continue;
+            }
+            if (sinks_->changed) sinks_->changed(change);
+            sinks_->live->changed(change);
+        }
+    if (!has_changed) return;
+    // The state is untouched: only what acts on it is made anew.
+    use_mesh(system_->model().n_nodes());
+    method_ = chosen_method(scene_).make(method_parameters(scene_));
+    run_.state.fastest_rate_per_s = 0.0;  // explicit methods find their bound anew
+}
+
+Engine::Next Engine::publish(const Totals& totals, double progress) {
+    const std::shared_ptr<Snapshot> snapshot = snapshot_of(totals, progress);
+    snapshot->frame = run_.frames++;
     result_.totals = totals;
-    if (const auto reason = sinks_->frame(std::move(snapshot))) {
+    if (sinks_->live != nullptr) sinks_->live->frame(snapshot);
+    if (const auto reason = sinks_->frame(snapshot)) {
         result_.verdict = RunVerdict::sink_failed;
         result_.outcome = "stopped";
         result_.message = *reason;
@@ -425,7 +487,8 @@ Engine::Next Engine::between_steps(double progress) {
     const double now_s = wall_clock_s();
     const bool limit_met =
         options_.wall_limit_s > 0.0 && now_s - started_wall_s_ >= options_.wall_limit_s;
-    const bool is_stopped = stop_->load();
+    const bool goes_on = sinks_->live == nullptr || sinks_->live->go_on(*stop_);
+    const bool is_stopped = !goes_on || stop_->load();
     if (is_stopped || limit_met) {
         write_checkpoint();
         result_.verdict = is_stopped ? RunVerdict::stopped : RunVerdict::time_limit;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/model/prolongation.hpp"
+#include "engine/run/live_control.hpp"
 #include "engine/run/run_state.hpp"
 #include "engine/run/snapshot.hpp"
 #include "engine/scene/scene.hpp"
@@ -20,7 +21,8 @@ struct EngineOptions {
     std::string version;
     std::string command_line;
     double checkpoint_every_wall_s = 10.0;
-    double wall_limit_s = 0.0;  ///< stop with a checkpoint after this wall time; 0: no limit
+    double wall_limit_s = 0.0;         ///< stop with a checkpoint after this wall time; 0: no limit
+    std::vector<Change> changes = {};  ///< to be made on the way, in the order of their times
 };
 
 /// For progress bars.
@@ -43,6 +45,10 @@ struct EngineSinks {
     std::function<void(const CheckpointData&)> checkpoint;
     /// After every step, for progress bars; may be empty.
     std::function<void(const RunProgress&)> progress;
+    /// Somebody who watches and changes the run; nullptr: nobody.
+    LiveControl* live = nullptr;
+    /// A change that the watcher has made took effect; to be kept with the run. May be empty.
+    std::function<void(const Change&)> changed = {};
 };
 
 /// How a run ended.
@@ -89,9 +95,15 @@ class Engine {
     /// Carries the cells over to a finer mesh, if they are not on it yet.
     void refine_to(int n_nodes);
     [[nodiscard]] Next anneal(const scene::Stage& stage);
-    [[nodiscard]] Next advance(const scene::Stage& parameters);
+    [[nodiscard]] Next advance(scene::Stage parameters);
     [[nodiscard]] Totals measure();
     [[nodiscard]] Next publish(const Totals& totals, double progress);
+    /// The state as it was measured last, with its fields; its number is -1.
+    [[nodiscard]] std::shared_ptr<Snapshot> snapshot_of(const Totals& totals, double progress);
+    /// Shows the state to whoever watches, if a look is welcome, and leaves it as it is.
+    void show_look(double progress);
+    /// Changes that are due before the next step: those of the options, then those of the watcher.
+    void apply_changes();
     /// Reports progress, writes a checkpoint when one is due, obeys stop and the time limit.
     [[nodiscard]] Next between_steps(double progress);
     /// Ends the run with its reason.
@@ -113,6 +125,8 @@ class Engine {
     Work earlier_work_;                      ///< of the systems on coarser meshes
     std::optional<Prolongation> to_frames_;  ///< from the system's mesh, if it is coarser
     std::unique_ptr<Method> method_;
+    std::size_t n_changes_applied_ = 0;     // of options_.changes
+    std::vector<Vec3> held_force_nN_;       // [all nodes]; empty without [load.held]
     std::vector<double> spring_nN_per_um_;  // [n_edges], for measures
     std::vector<double> pressure_kPa_;      // [cells]
     std::vector<Mat3> cell_stress_kPa_;     // [cells]
@@ -124,4 +138,3 @@ class Engine {
 };
 
 }  // namespace spheroscope
-std::vector<Vec3> held_force_nN_;  // [all nodes]; empty without [load.held]

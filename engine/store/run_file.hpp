@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/run/changes.hpp"
 #include "engine/run/error_estimate.hpp"
 #include "engine/run/snapshot.hpp"
 
@@ -50,6 +51,8 @@ class RunFileWriter {
     /// finite number, or if the file cannot be written.
     void write(const Snapshot& frame);
     void finish(const RunEnd& end);
+    /// Replaces the list of changes that were made during the run (engine/run/changes.hpp).
+    void record_changes(const std::vector<Change>& changes);
 
     [[nodiscard]] int n_frames() const { return n_frames_; }
 
@@ -80,6 +83,8 @@ class RunFileReader {
     /// Throws Error if there is no such frame.
     [[nodiscard]] SnapshotPtr frame(int frame) const;
 
+    /// What was changed during the run, in order: with it the scene gives the same run again.
+    [[nodiscard]] const std::vector<Change>& changes() const { return changes_; }
     [[nodiscard]] const RunEnd& end() const { return end_; }
     [[nodiscard]] bool is_complete() const { return end_.is_complete; }
     [[nodiscard]] const std::string& outcome() const { return end_.outcome; }
@@ -89,6 +94,7 @@ class RunFileReader {
     std::shared_ptr<const RunHeader> header_;
     std::vector<double> time_s_;
     RunEnd end_;
+    std::vector<Change> changes_;
 };
 
 }  // namespace spheroscope

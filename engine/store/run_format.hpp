@@ -17,6 +17,9 @@ namespace spheroscope::run_format {
 /// Group of the error estimates: one group per measure in it.
 constexpr const char* k_accuracy = "/accuracy";
 
+/// changes_text() of what was changed during the run. Absent: nothing was.
+constexpr const char* k_changes = "/changes";
+
 inline constexpr std::string_view k_format = "spheroscope run";
 /// Goes up when a reader of the version before would misunderstand the file.
 inline constexpr std::int64_t k_format_version = 1;

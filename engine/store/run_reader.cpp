@@ -79,6 +79,9 @@ RunFileReader::RunFileReader(std::string path) : path_(std::move(path)) {
     if (bad != time_s_.end())
         file.fail(fmt::format("the time of frame {} is {}", bad - time_s_.begin(), *bad));
     end_ = read_end(file);
+    if (file.exists(run_format::k_changes))
+        changes_ =
+            parse_changes(file.read_text(run_format::k_changes), path_ + run_format::k_changes);
 }
 
 double RunFileReader::time(int frame) const {

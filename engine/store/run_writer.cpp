@@ -180,6 +180,12 @@ void RunFileWriter::write(const Snapshot& frame) {
     ++n_frames_;
 }
 
+void RunFileWriter::record_changes(const std::vector<Change>& changes) {
+    if (file_->exists(run_format::k_changes)) file_->remove(run_format::k_changes);
+    file_->write_text(run_format::k_changes, changes_text(changes));
+    file_->commit();
+}
+
 void RunFileWriter::finish(const RunEnd& end) {
     write_end(*file_, end);
     file_->commit();

@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace spheroscope {
 namespace {
@@ -42,8 +44,10 @@ class Panel : public PanelRun {
     /// been read and its first picture is there. The log says when something is done, so that
     /// nothing depends on how fast this machine is: `until_log TEXT` waits for it. Ctrl Q at the
     /// end closes the panel.
-    Outcome show(const std::string& arguments, const std::string& script,
-                 const std::string& server_options = "") {
+    Outcome
+    show(const std::string& arguments, const std::string& script,
+         const std::string& server_options = "",
+         const std::string& ready = "until_log 'frames were read'; until_log 'first picture'\n") {
         return shell("Xvfb -displayfd 3 -screen 0 1760x1060x24 -nolisten tcp " + server_options +
                      " 3>display 2>server.log & server=$!\n"
                      "for i in $(seq 200); do [ -s display ] && break; sleep 0.05; done\n"
@@ -53,13 +57,19 @@ class Panel : public PanelRun {
                      " --json >report.json 2>log & panel=$!\n"
                      "until_log() { for i in $(seq 600); do grep -q \"$1\" log && break; "
                      "kill -0 $panel 2>/dev/null || break; sleep 0.05; done; }\n"
-                     "until_log 'frames were read'; until_log 'first picture'\n"
                      // a moment for the panel to draw what it was told
                      "settle() { sleep ${1:-0.6}; }\n"
                      "xdotool mousemove 300 950\n" +
-                     script +
+                     ready + script +
                      "\nwait $panel; code=$?; cat report.json; cat log >&2; kill $server; "
                      "wait $server 2>/dev/null; exit $code");
+    }
+
+    /// The same for a scene that is simulated meanwhile, from a pause before its first step.
+    Outcome show_live(const std::string& script) {
+        write_file("scene.toml", with(all_stages_scene(), "[320, 200]", "[640, 360]"));
+        return show("scene.toml -o out --threads 1 --paused", script, "",
+                    "until_log 'engine waits'; settle\n");
     }
 
     static nlohmann::json document(const Outcome& outcome) {
@@ -161,6 +171,46 @@ TEST_F(Panel, SurvivesAWindowOfNothing) {
                                                "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(document(outcome)["frame"], 1);
+}
+
+TEST_F(Panel, APauseOfTheEngineIsOneAndEachStepIsSingle) {
+    // To the first stage with mechanics, two steps, and a moment in which nothing may happen.
+    const Outcome outcome = show_live("xdotool key n; until_log 'stage 1, compact, begins'\n"
+                                      "until_log 'paused at'; settle\n"
+                                      "xdotool key period; settle; xdotool key period; settle 1\n"
+                                      "xdotool key Left; settle\n"
+                                      "xdotool key ctrl+q");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<int> steps;
+    const std::regex line("paused at t = [^ ]* s, step ([0-9]+)");
+    for (std::sregex_iterator it(outcome.err.begin(), outcome.err.end(), line), end; it != end;
+         ++it)
+        steps.push_back(std::stoi((*it)[1]));
+    ASSERT_EQ(steps.size(), 3U) << outcome.err;
+    EXPECT_EQ(steps[1], steps[0] + 1);
+    EXPECT_EQ(steps[2], steps[0] + 2);
+    EXPECT_EQ(document(outcome)["run"]["work"]["steps"], steps[2]);
+    EXPECT_EQ(document(outcome)["run"]["outcome"], "stopped");
+    // What was stopped goes on without a display.
+    EXPECT_EQ(call({"run", "scene.toml", "-o", "out", "--resume", "--quiet"}).code, 0);
+}
+
+TEST_F(Panel, WhatIsChangedInALiveRunIsRepeatedToTheBitWithoutADisplay) {
+    const Outcome outcome =
+        show_live("xdotool key n; until_log 'stage 1, compact, begins'; settle\n"
+                  "xdotool mousemove 1500 150 click 1; settle\n"
+                  "xdotool key space; until_log 'the run is over'\n"
+                  "xdotool key ctrl+q");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const nlohmann::json report = document(outcome);
+    const std::string changes = report["changes"];
+    EXPECT_NE(changes.find("cortex.tension.gamma"), std::string::npos) << changes;
+    const Outcome again = call({"run", "out/run.h5", "-o", "again", "--json", "--quiet"});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(document(again)["state_hash"], report["run"]["state_hash"]);
+    EXPECT_EQ(document(again)["frames"], report["run"]["frames"]);
+    const Outcome without = call({"run", "scene.toml", "-o", "w", "--json", "--quiet"});
+    EXPECT_NE(document(without)["state_hash"], report["run"]["state_hash"]);
 }
 
 TEST_F(PanelRun, WithoutADisplaySaysWhatToDoInstead) {

@@ -4,14 +4,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace spheroscope::viewer {
 
 std::span<const KeyRow> all_keys() {
     using enum Action;
-    static constexpr std::array<KeyRow, 17> rows{{
+    static constexpr std::array<KeyRow, 19> rows{{
         {Key::space, false, false, toggle_playing, "Space", "play, pause"},
+        {Key::period, false, false, single_step, ".", "one step of a running engine"},
+        {Key::n, false, false, until_event, "N", "on to the next event, as above"},
         {Key::left, false, false, back, "←", "one frame back"},
         {Key::right, false, false, forward, "→", "one frame on"},
         {Key::left, true, false, back_10, "Shift ←", "ten frames back"},
@@ -44,12 +47,27 @@ std::optional<Action> PanelModel::action_of(Key key, bool shift, bool control) {
 std::optional<Action> PanelModel::act(Action action) {
     switch (action) {
     case Action::toggle_playing: playback.toggle_playing(); return {};
-    case Action::back: playback.step(-1); return {};
-    case Action::forward: playback.step(1); return {};
+    case Action::back:
+        if (shows_engine() && live->n_looks > 0)
+            look_back();
+        else
+            playback.step(-1);
+        return {};
+    case Action::forward:
+        if (shows_engine())
+            live->looks_back = std::max(0, live->looks_back - 1);
+        else
+            playback.step(1);
+        return {};
     case Action::back_10: playback.step(-10); return {};
     case Action::forward_10: playback.step(10); return {};
     case Action::first: playback.go_to(0); return {};
-    case Action::last: playback.go_to(playback.n_frames() - 1); return {};
+    case Action::last:
+        if (live)
+            follow_engine();
+        else
+            playback.go_to(playback.n_frames() - 1);
+        return {};
     case Action::undo: view.undo(); return {};
     case Action::redo: view.redo(); return {};
     case Action::save_picture:
@@ -58,6 +76,22 @@ std::optional<Action> PanelModel::act(Action action) {
     case Action::bookmark: add_bookmark(); return action;
     default: return action;
     }
+}
+
+void PanelModel::follow_engine() {
+    playback.follow_end();
+    live->looks_back = 0;
+}
+
+void PanelModel::look_back() {
+    if (live->looks_back + 1 < live->n_looks) {
+        ++live->looks_back;
+        return;
+    }
+    // From the oldest look to the frame before it.
+    const auto times = playback.time_s();
+    const auto after = std::lower_bound(times.begin(), times.end(), live->oldest_look_s);
+    playback.go_to(static_cast<int>(after - times.begin()) - 1);
 }
 
 void PanelModel::drag(double right_px, double down_px) {

@@ -19,6 +19,8 @@ namespace spheroscope::viewer {
 /// What a key, a button or a click asks for.
 enum class Action {
     toggle_playing,
+    single_step,
+    until_event,
     back,
     forward,
     back_10,
@@ -36,7 +38,7 @@ enum class Action {
 };
 
 /// Keys by name; the window knows their numbers.
-enum class Key { space, left, right, home, end, b, c, p, q, t, y, z };
+enum class Key { space, left, right, home, end, period, b, c, n, p, q, t, y, z };
 
 /// A row of the table of keys; the window, the help and the tests loop over it.
 struct KeyRow {
@@ -59,6 +61,21 @@ class PanelModel {
     std::optional<Pick> selection;
     std::string message;                ///< the last thing that there was to say
     std::array<char, 32> typed_time{};  ///< what stands in the field for a time
+
+    /// With a running engine behind the frames there are states that are newer than the last of
+    /// them, or lie between them; `live` is empty without one.
+    struct Live {
+        double oldest_look_s = 0.0;
+        int n_looks = 0;     ///< states that are kept
+        int looks_back = 0;  ///< which of them is on show while the end is followed; 0: the newest
+        std::string dragged_key;  ///< the parameter whose slider is held
+        float dragged_value = 0;  ///< where it is held
+    };
+    std::optional<Live> live;
+    /// Shows the newest state, and stays with it.
+    void follow_engine();
+    /// Whether states of the engine are shown, not a frame that was chosen.
+    [[nodiscard]] bool shows_engine() const { return live && playback.follows_end(); }
 
     [[nodiscard]] const std::vector<scene::Picture>& presets() const { return presets_; }
     void change_view(const ViewSettings& to) { view.change(to); }
@@ -85,6 +102,8 @@ class PanelModel {
     void open(const Bookmark& bookmark);
 
   private:
+    void look_back();
+
     std::vector<scene::Picture> presets_;
     const SeriesRow* blaming_ = nullptr;  ///< the row whose cell is to be picked
     int blamed_frame_ = -1;

@@ -10,20 +10,26 @@ namespace spheroscope::viewer {
 
 void Playback::add_frame(double time_s) {
     time_s_.push_back(time_s);
-    if (frame_ < 0) frame_ = 0;
+    if (frame_ < 0 || follows_end_) frame_ = n_frames() - 1;
 }
 
 void Playback::toggle_playing() {
     if (n_frames() == 0) return;
     is_playing_ = !is_playing_;
+    follows_end_ = false;
     part_of_frame_ = 0.0;
     if (is_playing_ && frame_ == n_frames() - 1) frame_ = 0;
+}
+
+void Playback::follow_end() {
+    go_to(n_frames() - 1);
+    follows_end_ = true;
 }
 
 void Playback::step(int n_frames) { go_to(frame_ + n_frames); }
 
 void Playback::go_to(int frame) {
-    is_playing_ = false;
+    is_playing_ = follows_end_ = false;
     if (n_frames() > 0) frame_ = std::clamp(frame, 0, n_frames() - 1);
 }
 

@@ -10,7 +10,8 @@ namespace spheroscope::viewer {
 /// pictures and no clock.
 class Playback {
   public:
-    /// Frames come in order; the first is shown.
+    /// Frames come in order; the first is shown. While the last one is shown on purpose
+    /// (follow_end), a new one is shown at once.
     void add_frame(double time_s);
 
     [[nodiscard]] int n_frames() const { return static_cast<int>(time_s_.size()); }
@@ -19,9 +20,12 @@ class Playback {
     [[nodiscard]] int frame() const { return frame_; }
     [[nodiscard]] bool is_playing() const { return is_playing_; }
     [[nodiscard]] double speed() const { return speed_; }
+    [[nodiscard]] bool follows_end() const { return follows_end_; }
 
     /// At the last frame playing begins anew at the first.
     void toggle_playing();
+    /// The last frame, now and when others come.
+    void follow_end();
     /// Frames to go on; stops at either end. Any choice of a frame ends the playing.
     void step(int n_frames);
     void go_to(int frame);
@@ -36,7 +40,7 @@ class Playback {
   private:
     std::vector<double> time_s_;
     int frame_ = -1;
-    bool is_playing_ = false;
+    bool is_playing_ = false, follows_end_ = false;
     double speed_ = 1.0;
     double part_of_frame_ = 0.0;  // 0..1 of the way to the next one
 };

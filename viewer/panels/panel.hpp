@@ -13,6 +13,8 @@ struct ImFont;
 
 namespace spheroscope::viewer {
 
+class LiveRun;
+
 /// What panels read and change. Made anew for each frame of the panel.
 struct PanelContext {
     PanelModel& model;
@@ -23,6 +25,7 @@ struct PanelContext {
     const Curve& radial_stress;               ///< of the snapshot
     const Curve& force_distribution;
     const std::string& status;
+    LiveRun* live;  ///< nullptr: there is no engine behind the frames
     std::function<void(Action)> act;
     std::function<void(const Sight&)> pick_at;
     void* texture;
@@ -36,13 +39,15 @@ enum class Side { right, below };
 struct PanelRow {
     std::string_view title;
     Side side;
-    bool opened;  ///< at the start; panels on the right can be folded
+    bool opened;        ///< at the start; panels on the right can be folded
+    bool needs_engine;  ///< shown only with a running engine behind the frames
     void (*draw)(PanelContext&);
 };
 [[nodiscard]] std::span<const PanelRow> all_panels();
 
 // One file each.
 void draw_picture(PanelContext& panel, float width, float height);
+void draw_live(PanelContext& panel);
 void draw_view(PanelContext& panel);
 void draw_selection(PanelContext& panel);
 void draw_bookmarks(PanelContext& panel);

@@ -5,14 +5,15 @@
 namespace spheroscope::viewer {
 
 std::span<const PanelRow> all_panels() {
-    static constexpr std::array<PanelRow, 7> rows{{
-        {"View", Side::right, true, draw_view},
-        {"Selection", Side::right, true, draw_selection},
-        {"Bookmarks", Side::right, false, draw_bookmarks},
-        {"Keys", Side::right, false, draw_keys},
-        {"Timeline", Side::below, true, draw_timeline},
-        {"Health", Side::below, true, draw_health},
-        {"Plots", Side::below, true, draw_plots},
+    static constexpr std::array<PanelRow, 8> rows{{
+        {"Engine", Side::right, true, true, draw_live},
+        {"View", Side::right, true, false, draw_view},
+        {"Selection", Side::right, true, false, draw_selection},
+        {"Bookmarks", Side::right, false, false, draw_bookmarks},
+        {"Keys", Side::right, false, false, draw_keys},
+        {"Timeline", Side::below, true, false, draw_timeline},
+        {"Health", Side::below, true, false, draw_health},
+        {"Plots", Side::below, true, false, draw_plots},
     }};
     return rows;
 }

@@ -1,0 +1,101 @@
+#include "tests/viewer/two_cells.hpp"
+#include "viewer/model/live_channel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace spheroscope::viewer {
+namespace {
+
+/// An engine of nothing: counts its steps until it is stopped.
+class CountingEngine {
+  public:
+    explicit CountingEngine(LiveChannel& channel)
+        : channel_(channel), thread_([this] {
+              const auto snapshot = two_cells();
+              channel_.begin(snapshot->header);
+              const std::atomic<bool> no_signal{false};
+              while (channel_.go_on(no_signal)) {
+                  for (const Change& change : channel_.take_changes()) channel_.changed(change);
+                  ++n_steps;
+                  if (channel_.wants_look()) channel_.look(snapshot);
+                  if (n_steps % 10 == 0) channel_.frame(snapshot);
+                  std::this_thread::sleep_for(std::chrono::microseconds(200));
+              }
+          }) {}
+    ~CountingEngine() {
+        channel_.stop();
+        thread_.join();
+    }
+    std::atomic<int> n_steps{0};
+
+  private:
+    LiveChannel& channel_;
+    std::thread thread_;
+};
+
+template <class Condition> bool comes_true(const Condition& condition) {
+    for (int k = 0; k < 5000 && !condition(); ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return condition();
+}
+
+/// The number of steps once it no longer changes.
+int steps_at_rest(const CountingEngine& engine) {
+    int before = -1;
+    while (before != engine.n_steps.load()) {
+        before = engine.n_steps.load();
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    }
+    return before;
+}
+
+TEST(APause, ReallyStopsTheEngineAndStepsAreSingle) {
+    LiveChannel channel([] {});
+    CountingEngine engine(channel);
+    EXPECT_TRUE(comes_true([&] { return engine.n_steps > 5; }));
+    channel.pause();
+    const int paused_at = steps_at_rest(engine);
+    for (int k = 1; k <= 3; ++k) {
+        channel.step();
+        EXPECT_TRUE(comes_true([&] { return engine.n_steps == paused_at + k; }));
+        EXPECT_EQ(steps_at_rest(engine), paused_at + k);
+        EXPECT_NE(channel.take_look(), nullptr);  // what the step has done is shown
+    }
+    channel.play();
+    EXPECT_TRUE(comes_true([&] { return engine.n_steps > paused_at + 20; }));
+}
+
+TEST(APause, EndsWhenThePanelIsClosed) {
+    LiveChannel channel([] {});
+    CountingEngine engine(channel);
+    channel.pause();
+    static_cast<void>(steps_at_rest(engine));
+    channel.stop();  // the engine's thread is joined when it has ended
+}
+
+TEST(AnOrder, ReachesTheEngineOnce) {
+    LiveChannel channel([] {});
+    CountingEngine engine(channel);
+    channel.order({0.0, "cortex.tension.gamma", {0.7}});
+    EXPECT_TRUE(comes_true([&] { return channel.changes().size() == 1; }));
+    const int n = engine.n_steps;
+    EXPECT_TRUE(comes_true([&] { return engine.n_steps > n + 5; }));
+    EXPECT_EQ(channel.changes().size(), 1U);
+}
+
+TEST(Frames, AllArriveAndLooksOnlyTheNewest) {
+    LiveChannel channel([] {});
+    CountingEngine engine(channel);
+    EXPECT_TRUE(comes_true([&] { return engine.n_steps > 100; }));
+    channel.pause();
+    const int n = steps_at_rest(engine);
+    EXPECT_EQ(static_cast<int>(channel.take_frames().size()), n / 10);
+    EXPECT_TRUE(channel.take_frames().empty());
+    EXPECT_NE(channel.header(), nullptr);
+}
+
+}  // namespace
+}  // namespace spheroscope::viewer

@@ -1,0 +1,91 @@
+#include "viewer/live_run.hpp"
+
+#include "engine/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+namespace spheroscope::viewer {
+
+LiveRun::LiveRun(const scene::Scene& scene, const cli::RunPlace& place,
+                 const cli::CommonOptions& options, Begin begin, const cli::Invocation& invocation,
+                 std::function<void()> on_news)
+    : scene_(scene), scene_now_(scene), channel_(on_news) {
+    if (begin.paused) channel_.pause();
+    thread_ = std::thread([this, place, options, begin, invocation, on_news] {
+        try {
+            summary_ =
+                cli::simulate(scene_, place, options, begin.overwrite, invocation, {}, &channel_);
+        } catch (...) {
+            trouble_ = std::current_exception();
+        }
+        is_over_.store(true);
+        on_news();
+    });
+    while (!channel_.header() && !is_over_.load())
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    header_ = channel_.header();
+    if (!header_) {
+        thread_.join();
+        std::rethrow_exception(trouble_);  // a run that is not resumed begins, or says why not
+    }
+    survey_.emplace(*header_);
+}
+
+LiveRun::~LiveRun() {
+    channel_.stop();
+    if (thread_.joinable()) thread_.join();
+}
+
+std::vector<double> LiveRun::take_new_times() {
+    std::vector<double> new_times_s;
+    for (SnapshotPtr& frame : channel_.take_frames()) {
+        survey_->add(*frame);
+        new_times_s.push_back(frame->time_s);
+        kept_bytes_ += bytes_of(*frame);
+        frames_.push_back(std::move(frame));
+    }
+    for (; kept_bytes_ > k_kept_bytes && first_kept_ + 1 < frames_.size(); ++first_kept_) {
+        kept_bytes_ -= bytes_of(*frames_[first_kept_]);
+        frames_[first_kept_].reset();
+    }
+    return new_times_s;
+}
+
+SnapshotPtr LiveRun::frame(int number) {
+    const auto index = static_cast<std::size_t>(number);
+    if (index >= frames_.size()) return nullptr;
+    failure_ = frames_[index] != nullptr
+                   ? ""
+                   : fmt::format("frame {} is in the run's file only: the panel keeps the newest "
+                                 "frames, from {} on",
+                                 number, first_kept_);
+    return frames_[index];
+}
+
+void LiveRun::take_look() {
+    if (SnapshotPtr look = channel_.take_look()) looks_.add(std::move(look));
+}
+
+SnapshotPtr LiveRun::newest_look() const {
+    SnapshotPtr look = looks_.back(0);
+    if (look == nullptr || frames_.empty()) return look;
+    return look->time_s > frames_.back()->time_s ? look : nullptr;
+}
+
+const scene::Scene& LiveRun::scene_now() {
+    const std::vector<Change> changes = channel_.changes();
+    for (; n_changes_ < changes.size(); ++n_changes_) apply_change(scene_now_, changes[n_changes_]);
+    return scene_now_;
+}
+
+cli::SimulationSummary LiveRun::finish() {
+    channel_.stop();
+    if (thread_.joinable()) thread_.join();
+    if (trouble_) std::rethrow_exception(trouble_);
+    return *summary_;
+}
+
+}  // namespace spheroscope::viewer

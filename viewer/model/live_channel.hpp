@@ -1,0 +1,77 @@
+#pragma once
+
+#include "engine/run/live_control.hpp"
+#include "viewer/model/live_events.hpp"
+#include "viewer/model/pace.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace spheroscope::viewer {
+
+/// Between a panel and an engine that runs: frames, looks and what became of orders one way, orders
+/// the other. The panel never waits; the engine waits only in a pause.
+class LiveChannel final : public LiveControl {
+  public:
+    /// `on_news` is called in the engine's thread.
+    explicit LiveChannel(std::function<void()> on_news) : on_news_(std::move(on_news)) {}
+
+    // The panel's side.
+    void pause();
+    void play();
+    /// One step, then a pause.
+    void step();
+    /// Plays until something happens to what is watched, then a pause (viewer/model/live_events).
+    void run_until_event(const Watched& watched);
+    /// Ends the run, with a checkpoint, also out of a pause.
+    void stop();
+    /// Replaces an order of the same key that the engine has not taken yet.
+    void order(Change change);
+    [[nodiscard]] bool is_paused();
+    /// What the engine is about: nullptr before it has begun.
+    [[nodiscard]] std::shared_ptr<const RunHeader> header();
+    [[nodiscard]] std::vector<SnapshotPtr> take_frames();
+    /// The newest look, once.
+    [[nodiscard]] SnapshotPtr take_look();
+    [[nodiscard]] std::vector<Change> changes();
+    /// Why the last order was refused, or which event has brought a pause, once; else "".
+    [[nodiscard]] std::string take_message();
+    [[nodiscard]] Pace pace();
+
+    // The engine's side.
+    void begin(std::shared_ptr<const RunHeader> header) override;
+    void frame(SnapshotPtr frame) override;
+    [[nodiscard]] bool go_on(const std::atomic<bool>& stop) override;
+    [[nodiscard]] bool wants_look() override;
+    void look(SnapshotPtr now) override;
+    [[nodiscard]] std::vector<Change> take_changes() override;
+    void changed(const Change& change) override;
+    void refused(const Change& change, const std::string& reason) override;
+
+  private:
+    /// With mutex_ held: what a state says about events and pace.
+    void see(const SnapshotPtr& now);
+
+    const std::function<void()> on_news_;
+    std::mutex mutex_;
+    std::condition_variable woken_;
+    // guarded by mutex_
+    bool is_paused_ = false, is_stopped_ = false;
+    int steps_left_ = 0;  // in a pause
+    bool seeks_event_ = false;
+    Watched watched_;
+    std::shared_ptr<const RunHeader> header_;
+    std::vector<SnapshotPtr> frames_;
+    SnapshotPtr look_, seen_;
+    std::chrono::steady_clock::time_point looked_at_{};
+    bool look_is_due_ = false;  // after a step in a pause, whatever the panel has taken
+    std::vector<Change> ordered_, changes_;
+    std::string message_;
+    Pace pace_;
+};
+
+}  // namespace spheroscope::viewer
