@@ -3,6 +3,7 @@
 #include "render/layers/cell_surfaces.hpp"
 #include "render/layers/compose.hpp"
 #include "render/layers/furniture.hpp"
+#include "render/layers/load_surfaces.hpp"
 #include "render/osmesa_context.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +55,22 @@ std::vector<std::string> notes(const Totals& totals) {
         lines.push_back(fmt::format("Z = {:.1f}", totals.coordination_Z));
     if (std::isfinite(totals.contact_fraction) && totals.contact_fraction > 0.0)
         lines.push_back(fmt::format("contact area {:.0f} %", 100.0 * totals.contact_fraction));
+    if (std::isfinite(totals.probe_force_nN)) {
+        lines.push_back(fmt::format("bead {:.1f} nN", totals.probe_force_nN));
+        lines.push_back(fmt::format("way {:.2f} µm", totals.probe_way_um));
+    }
     return lines;
+}
+
+/// Distance from the middle of the aggregate within which everything lies that is drawn.
+double drawn_extent_um(const Snapshot& snapshot) {
+    const Probe& probe = snapshot.load.probe;
+    double extent_um = aggregate_extent_um(snapshot);
+    if (!probe.acts()) return extent_um;
+    const Vec3 centre_um = aggregate_centre_um(snapshot);
+    for (const Vec3& x : snapshot.load.hull->vertex_um)
+        extent_um = std::max(extent_um, (x - centre_um).norm());
+    return std::max(extent_um, (probe.centre_um() - centre_um).norm() + probe.radius_um);
 }
 
 }  // namespace
@@ -77,6 +93,15 @@ double aggregate_extent_um(const Snapshot& snapshot) {
     for (std::size_t i = 0; i < snapshot.x_um.size() / 3; ++i)
         farthest = std::max(farthest, (point(snapshot.x_um, i) - centre).squaredNorm());
     return std::sqrt(farthest);
+}
+
+double shown_extent_um(const Snapshot& snapshot) {
+    const double cells_um = aggregate_extent_um(snapshot);
+    const Probe& probe = snapshot.load.probe;
+    if (!probe.acts()) return cells_um;
+    // enough of the probe to be known as a sphere
+    const double to_probe_um = (probe.centre_um() - aggregate_centre_um(snapshot)).norm();
+    return std::max(cells_um, to_probe_um - 0.4 * probe.radius_um);
 }
 
 int find_picture_field(const RunHeader& header, const scene::Picture& picture) {
@@ -107,8 +132,9 @@ struct Renderer::Hidden {
     OsmesaContext context;  // before the layers: they are destroyed first
     CellSurfaces surfaces;
     std::unique_ptr<ForceNetwork> network;
+    std::unique_ptr<LoadSurfaces> load;  // made when the first probe comes
     TextPainter text;
-    Buffers cells_drawn, network_drawn;
+    Buffers cells_drawn, network_drawn, load_drawn;
 
     Hidden(std::shared_ptr<const RunHeader> run, const scene::Picture& wanted)
         : header(std::move(run)), context(most_samples(wanted) * wanted.size_px[0],
@@ -153,6 +179,7 @@ struct Renderer::Hidden {
                       Furniture& furniture);
     void draw_network(const Snapshot& snapshot, const Camera& camera, double reach_um, bool cutaway,
                       Furniture& furniture);
+    void draw_load(const Snapshot& snapshot, const Camera& camera, double reach_um, bool cutaway);
 };
 
 void Renderer::Hidden::colour_cells(const Snapshot& snapshot, const std::vector<int>& cells,
@@ -181,6 +208,20 @@ void Renderer::Hidden::draw_network(const Snapshot& snapshot, const Camera& came
     add_network(cells_drawn, network_drawn, cutaway ? 0.25 : 0.65);
 }
 
+void Renderer::Hidden::draw_load(const Snapshot& snapshot, const Camera& camera, double reach_um,
+                                 bool cutaway) {
+    if (!load) load = std::make_unique<LoadSurfaces>();
+    load->update(snapshot);
+    for (vtkActor* actor : {load->hull_behind(), load->probe_behind()}) {
+        context.draw(actor, camera, reach_um, load_drawn);
+        add_network(cells_drawn, load_drawn, 0.0);
+    }
+    // A cutaway takes the near side of everything away.
+    if (cutaway) return;
+    context.draw(load->probe_in_front(), camera, reach_um, load_drawn);
+    add_glass(cells_drawn, load_drawn, k_glass_opacity);
+}
+
 Renderer::Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture) {
     check_picture(picture);
     static_cast<void>(find_picture_field(*header, picture));  // before OpenGL is asked for anything
@@ -205,7 +246,7 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
     drawn_camera.px_per_um *= n_samples;
     drawn_camera.centre_x_px *= n_samples;
     drawn_camera.centre_y_px *= n_samples;
-    const double reach_um = 1.05 * aggregate_extent_um(snapshot);
+    const double reach_um = 1.05 * drawn_extent_um(snapshot);
 
     Furniture furniture;
     furniture.title = h.header->title.empty() ? h.header->scene_name : h.header->title;
@@ -227,6 +268,7 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
     const bool cutaway = view.cutaway.value_or(h.picture.cutaway);
     h.colour_cells(snapshot, h.drawn_cells(snapshot, final_camera, cutaway), furniture);
     h.context.draw(h.surfaces.actor(), drawn_camera, reach_um, h.cells_drawn);
+    if (snapshot.load.probe.acts()) h.draw_load(snapshot, drawn_camera, reach_um, cutaway);
     if (draws_network) h.draw_network(snapshot, drawn_camera, reach_um, cutaway, furniture);
     Image image = make_image(h.cells_drawn, n_samples, drawn_camera.px_per_um);
     draw_furniture(image, h.text, furniture);
@@ -241,8 +283,7 @@ Camera Renderer::camera(const Snapshot& snapshot, const View& view) const {
                     h.picture.azimuth_deg + view.turned_deg + view.progress * h.picture.orbit_deg,
                     h.picture.elevation_deg);
     const double free_width = width - key_column_px(height, h.field != nullptr, h.picture.network);
-    const double radius_um =
-        view.fit_radius_um ? *view.fit_radius_um : aggregate_extent_um(snapshot);
+    const double radius_um = view.fit_radius_um ? *view.fit_radius_um : shown_extent_um(snapshot);
     camera.px_per_um = k_filled_share * 0.5 * std::min<double>(height, free_width) / radius_um;
     camera.centre_x_px = 0.5 * free_width;
     camera.centre_y_px = 0.5 * height + 8.0 * writing_scale(height);  // room for the title

@@ -39,6 +39,9 @@ struct View {
 /// Distance of the farthest node from there, um.
 [[nodiscard]] double aggregate_extent_um(const Snapshot& snapshot);
 
+/// What the picture makes room for: that, and with a probe the nearer part of it.
+[[nodiscard]] double shown_extent_um(const Snapshot& snapshot);
+
 /// Turns snapshots of one run into pictures, one view of the scene. Pictures are the same bits for
 /// the same input. One thread makes, uses and destroys it.
 class Renderer {

@@ -72,19 +72,25 @@ std::string power_of_ten(int exponent) {
     return text;
 }
 
-struct LogRange {
-    double low = 1.0, high = -1.0;  // log10
+/// Ends of an axis, in what is drawn along it: the value or its log10.
+struct AxisRange {
+    double low = 1.0, high = -1.0;
 
     void include(const std::vector<double>& values) {
         for (const double value : values) {
-            const double l = std::log10(value);
-            if (low > high) low = high = l;
-            low = std::min(low, l);
-            high = std::max(high, l);
+            if (low > high) low = high = value;
+            low = std::min(low, value);
+            high = std::max(high, value);
         }
     }
+    /// Some space around the points, but none below zero where all are above it.
+    void widen_linear() {
+        const double space = high > low ? 0.06 * (high - low) : 1.0;
+        low = low >= 0.0 && low < 0.5 * high ? 0.0 : low - space;
+        high += space;
+    }
     /// At least one whole decade inside, and some space around the points.
-    void widen() {
+    void widen_logarithmic() {
         low -= 0.15;
         high += 0.15;
         if (std::floor(high) < std::ceil(low) + 1.0) {
@@ -95,7 +101,7 @@ struct LogRange {
     }
 };
 
-void set_log_axis(vtkAxis* axis, const std::string& title, const LogRange& range) {
+void set_axis(vtkAxis* axis, const std::string& title, const AxisRange& range) {
     axis->SetBehavior(vtkAxis::FIXED);
     axis->SetRange(range.low, range.high);
     axis->SetTitle(title);
@@ -103,6 +109,9 @@ void set_log_axis(vtkAxis* axis, const std::string& title, const LogRange& range
     set_font(axis->GetLabelProperties(), 14);
     axis->SetGridVisible(true);
     axis->GetGridPen()->SetColor(225, 227, 230);
+}
+
+void set_decades(vtkAxis* axis, const AxisRange& range) {
     const int first = static_cast<int>(std::ceil(range.low));
     const int last = static_cast<int>(std::floor(range.high));
     const int step = std::max(1, (last - first) / 5);
@@ -145,18 +154,25 @@ vtkNew<vtkChartXY> make_chart(const reports::Plot::Panel& panel, const Styles& s
     chart->SetSize(place);
     chart->SetTitle(panel.title);
     set_font(chart->GetTitleProperties(), 18, SPHEROSCOPE_FONT_BOLD);
-    LogRange x_range, y_range;
+    const bool is_logarithmic = panel.axes == reports::Plot::Axes::logarithmic;
+    const auto drawn = [&](std::vector<double> values) {
+        if (is_logarithmic)
+            for (double& value : values) value = std::log10(value);
+        return values;
+    };
+    AxisRange x_range, y_range;
     for (const reports::Plot::Series& series : panel.series) {
         if (series.x.empty()) continue;
-        x_range.include(series.x);
-        y_range.include(series.y);
+        const std::vector<double> xs = drawn(series.x), ys = drawn(series.y);
+        x_range.include(xs);
+        y_range.include(ys);
         vtkNew<vtkTable> table;
         vtkNew<vtkDoubleArray> x, y;
         x->SetName("x");
         y->SetName(series.name.c_str());
         for (std::size_t i = 0; i < series.x.size(); ++i) {
-            x->InsertNextValue(std::log10(series.x[i]));
-            y->InsertNextValue(std::log10(series.y[i]));
+            x->InsertNextValue(xs[i]);
+            y->InsertNextValue(ys[i]);
         }
         table->AddColumn(x);
         table->AddColumn(y);
@@ -164,10 +180,16 @@ vtkNew<vtkChartXY> make_chart(const reports::Plot::Panel& panel, const Styles& s
         line->SetInputData(table, 0, 1);
         styles.apply(series.name, line);
     }
-    x_range.widen();
-    y_range.widen();
-    set_log_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x_title, x_range);
-    set_log_axis(chart->GetAxis(vtkAxis::LEFT), panel.y_title, y_range);
+    for (AxisRange* range : {&x_range, &y_range})
+        is_logarithmic ? range->widen_logarithmic() : range->widen_linear();
+    vtkAxis* const bottom = chart->GetAxis(vtkAxis::BOTTOM);
+    vtkAxis* const left = chart->GetAxis(vtkAxis::LEFT);
+    set_axis(bottom, panel.x_title, x_range);
+    set_axis(left, panel.y_title, y_range);
+    if (is_logarithmic) {
+        set_decades(bottom, x_range);
+        set_decades(left, y_range);
+    }
     return chart;
 }
 

@@ -134,6 +134,19 @@ std::string make_fingerprint(const Snapshot& snapshot, const scene::Picture& pic
     sum.add(snapshot.centre_um);
     sum.add(snapshot.volume_um3);
     sum.add(snapshot.links);
+    const Probe& probe = snapshot.load.probe;
+    if (probe.acts()) {
+        const Vec3 centre_um = probe.centre_um();
+        sum.add(std::vector<double>{centre_um.x(), centre_um.y(), centre_um.z(), probe.radius_um,
+                                    snapshot.totals.probe_force_nN, snapshot.totals.probe_way_um});
+        std::vector<float> vertices;  // as files hold them
+        for (const Vec3& x : snapshot.load.hull->vertex_um)
+            for (const double component : {x.x(), x.y(), x.z()})
+                vertices.push_back(static_cast<float>(component));
+        sum.add(vertices);
+        for (const auto& corners : snapshot.load.hull->triangle)
+            sum.add_bytes(corners.data(), sizeof(corners));
+    }
     const int field = find_picture_field(header, picture);
     if (field >= 0) sum.add(snapshot.fields[static_cast<std::size_t>(field)]);
     return sum.text();

@@ -4,6 +4,7 @@
 #include "engine/base/vec3.hpp"
 #include "engine/contact/contacts.hpp"
 #include "engine/model/geometry.hpp"
+#include "engine/model/load.hpp"
 #include "engine/model/model.hpp"
 
 #include <optional>
@@ -23,6 +24,7 @@ struct Configuration {
     const Geometry& geometry;
     const Contacts& contacts;
     double wall_radius_um = 0.0;  ///< of the compaction sphere about the origin
+    Load load{};                  ///< hull and probe of an indentation
 };
 
 /// A force of the model: adds forces, energy and stiffness, cell by cell; holds no history, so

@@ -5,7 +5,7 @@
 namespace spheroscope {
 namespace {
 
-constexpr std::array<ForceTermRow, 9> k_terms{{
+constexpr std::array<ForceTermRow, 11> k_terms{{
     {"cortex.elastic", "(8)", "engine/forces/in_plane_elasticity.cpp",
      "springs on the edges resist stretch and shear", true, true, true},
     {"cortex.bending", "(9), (10)", "engine/forces/bending.cpp",
@@ -20,6 +20,10 @@ constexpr std::array<ForceTermRow, 9> k_terms{{
      "soft cortices cannot fold over", true, true, true},
     {"stage.compact", "", "engine/forces/compaction_wall.cpp",
      "a spherical wall pushes the cells together", false, false, false},
+    {"stage.indent.hull", "Appendix G", "engine/forces/confining_hull.cpp",
+     "a convex hull confines the cells", false, false, true},
+    {"stage.indent.probe", "Appendix G", "engine/forces/indenting_probe.cpp",
+     "a stiff bead is pressed into the cells", false, false, false},
     {"body_force", "", "engine/forces/body_force.cpp", "a constant force on whole cells", false,
      false, true},
     {"load.held", "", "engine/forces/held_force.cpp",

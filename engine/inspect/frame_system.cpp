@@ -48,6 +48,8 @@ void FrameSystem::use_mesh(int n_nodes) {
     if (detail_ == Detail::contacts) {
         parts.terms.clear();
         parts.wall = nullptr;
+        parts.hull = nullptr;
+        parts.probe = nullptr;
         parts.cytosol = nullptr;
         parts.frictions = {};
     }
@@ -63,8 +65,8 @@ void FrameSystem::load(SnapshotPtr frame) {
     frame_ = std::move(frame);
     use_mesh(scene_.stages[idx(frame_->stage)].nodes);
     const std::vector<Vec3> x_um = positions_um();
-    if (const auto trouble =
-            system_->evaluate(x_um, volume_integrals_s(x_um), frame_->diagnostics.wall_radius_um))
+    if (const auto trouble = system_->evaluate(x_um, volume_integrals_s(x_um),
+                                               frame_->diagnostics.wall_radius_um, frame_->load))
         throw Error("frame " + std::to_string(frame_->frame) + ": " + trouble->text());
 }
 

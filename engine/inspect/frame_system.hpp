@@ -11,8 +11,8 @@
 namespace spheroscope::inspect {
 
 /// The system of a run at one of its frames, built again from what a snapshot holds: positions,
-/// pressures (from which the controllers' integrals follow) and the wall. Positions are those of
-/// the snapshot, single precision; overlaps are right to some 1e-5 um.
+/// pressures (from which the controllers' integrals follow), the wall, and hull and probe.
+/// Positions are those of the snapshot, single precision; overlaps are right to some 1e-5 um.
 ///
 /// Stages that are computed on a coarser mesh than their frames show are looked at on their own
 /// mesh: the old nodes are among the shown ones.

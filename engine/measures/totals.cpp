@@ -196,6 +196,14 @@ std::span<const TotalsRow> all_totals() {
             "power_residual", "1",
             "(change of energy + dissipation - driving work) / dissipation since the last output",
             &Totals::power_residual},
+        TotalsRow{"probe_way", "um", "way of the probe since the start of the loading",
+                  &Totals::probe_way_um},
+        TotalsRow{"probe_force", "nN", "force of the probe on the cells, along its way",
+                  &Totals::probe_force_nN},
+        TotalsRow{"hull_force", "nN", "force of the hull on the cells, against the probe's way",
+                  &Totals::hull_force_nN},
+        TotalsRow{"load_imbalance", "1", "sum of all forces on the cells over the probe's force",
+                  &Totals::load_imbalance},
     };
     return rows;
 }

@@ -35,6 +35,10 @@ struct Totals {
     double energy_fJ;
     double dissipation_nN_um_per_s;
     double power_residual;
+    double probe_way_um;
+    double probe_force_nN;
+    double hull_force_nN;
+    double load_imbalance;
 };
 
 /// One row of the table of totals: the file, `info`, `--json` and [expect] read it.
@@ -49,8 +53,9 @@ struct TotalsRow {
 [[nodiscard]] const TotalsRow* find_total(std::string_view name);
 [[nodiscard]] double value_of(const TotalsRow& row, const Totals& totals);
 
-/// Everything that follows from one configuration. Energy, powers and virial_identity are left
-/// undefined: the run knows them. `at.geometry` holds triangles and volumes.
+/// Everything that follows from one configuration. Energy, powers, virial_identity and the
+/// numbers of a load are left undefined: the run knows them. `at.geometry` holds triangles and
+/// volumes.
 [[nodiscard]] Totals compute_totals(const MeasureInput& input);
 
 }  // namespace spheroscope

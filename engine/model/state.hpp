@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/vec3.hpp"
+#include "engine/model/load.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -27,6 +28,7 @@ struct State {
     std::vector<Vec3> x_um;                 ///< [all nodes]
     std::vector<double> volume_integral_s;  ///< [cells] I of (13); an unknown, I' = eps
     Wall wall;
+    Load load;
     // What the method carries from step to step: start of the solver, error estimate, step size.
     std::vector<Vec3> v_um_per_s;     ///< [all nodes] of the last accepted step
     bool has_velocity = false;        ///< false at the start and after every change of stage

@@ -7,15 +7,17 @@
 namespace spheroscope::reports {
 
 /// A picture of numbers, without a word on who draws it: panels side by side, each with points
-/// joined by lines on logarithmic axes. Texts are UTF-8.
+/// joined by lines. Texts are UTF-8.
 struct Plot {
+    enum class Axes { logarithmic, linear };
     struct Series {
         std::string name;  ///< of the legend; the same name has the same colour in all panels
-        std::vector<double> x, y;  ///< finite and > 0
+        std::vector<double> x, y;  ///< finite; on logarithmic axes > 0
     };
     struct Panel {
         std::string title, x_title, y_title;  ///< axes with units
         std::vector<Series> series;
+        Axes axes = Axes::logarithmic;
     };
     std::string title;
     std::vector<Panel> panels;

@@ -43,6 +43,18 @@ double wall_clock_s() {
         .count();
 }
 
+/// What hull and probe do to the cells in the system's last evaluation.
+void add_load(const System& system, const Load& load, Totals& totals) {
+    const Configuration at = system.configuration();
+    Vec3 sum_nN = Vec3::Zero();
+    for (const Vec3& f : system.force_nN()) sum_nN += f;
+    const Vec3& way = load.probe.direction;
+    totals.probe_way_um = load.probe.way_um;
+    totals.probe_force_nN = system.parts().probe->sum_nN(at).dot(way);
+    totals.hull_force_nN = -system.parts().hull->sum_nN(at).dot(way);
+    totals.load_imbalance = sum_nN.norm() / load.probe.force_nN;
+}
+
 }  // namespace
 
 Engine::Engine(const scene::Scene& scene, const EngineOptions& options,
@@ -342,7 +354,7 @@ std::optional<Totals> Engine::totals_moved_by(std::span<const Vec3> displacement
     if (displacement_um.size() != run_.state.x_um.size()) return {};
     std::vector<Vec3> x_um = run_.state.x_um;
     for (std::size_t i = 0; i < x_um.size(); ++i) x_um[i] += displacement_um[i];
-    if (system_->evaluate(x_um, run_.state.volume_integral_s, 0.0)) return {};
+    if (system_->evaluate(x_um, run_.state.volume_integral_s, 0.0, run_.state.load)) return {};
     const Configuration at = system_->configuration();
     compute_cell_measures(at);
     Totals totals = compute_totals(measure_input(at));
@@ -379,7 +391,8 @@ MeasureInput Engine::measure_input(const Configuration& at) const {
 Totals Engine::measure() {
     const double wall_um = run_.state.wall.acts() ? run_.state.wall.radius_um : 0.0;
     // What is not finite here is found again, and reported, by the next step.
-    static_cast<void>(system_->evaluate(run_.state.x_um, run_.state.volume_integral_s, wall_um));
+    static_cast<void>(
+        system_->evaluate(run_.state.x_um, run_.state.volume_integral_s, wall_um, run_.state.load));
     const Configuration at = system_->configuration();
     compute_cell_measures(at);
     Totals totals = compute_totals(measure_input(at));
@@ -393,6 +406,7 @@ Totals Engine::measure() {
         }
         if (size2 > 0.0) totals.virial_identity = std::sqrt(difference2 / size2);
     }
+    if (run_.state.load.probe.acts()) add_load(*system_, run_.state.load, totals);
     const double energy_fJ = system_->energy_fJ();
     totals.energy_fJ = energy_fJ;
     if (run_.diagnostics.steps > 0) totals.dissipation_nN_um_per_s = run_.dissipation_nN_um_per_s;
@@ -422,6 +436,7 @@ std::shared_ptr<Snapshot> Engine::snapshot_of(const Totals& totals, double progr
     snapshot->stage = run_.stage;
     snapshot->stage_name = name_of(scene_.stages[idx(run_.stage)].kind);
     snapshot->stage_progress = progress;
+    snapshot->load = run_.state.load;
     return snapshot;
 }
 

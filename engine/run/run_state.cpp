@@ -2,6 +2,8 @@
 
 #include "engine/base/error.hpp"
 
+#include <utility>
+
 namespace spheroscope {
 namespace {
 
@@ -30,6 +32,47 @@ template <class T> const std::vector<T>& find(const std::map<std::string, std::v
     return it->second;
 }
 
+void save_load(const Load& load, CheckpointData& data) {
+    const Probe& p = load.probe;
+    if (!p.acts()) return;
+    data.float64["probe"] = {p.radius_um,     p.force_nN,      p.friction_nN_s_per_um,
+                             p.start_um.x(),  p.start_um.y(),  p.start_um.z(),
+                             p.direction.x(), p.direction.y(), p.direction.z(),
+                             p.way_um,        p.speed_um_per_s};
+    std::vector<double>& planes = data.float64["hull_planes"];
+    for (const Hull::Plane& plane : load.hull->planes)
+        planes.insert(planes.end(),
+                      {plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset_um});
+    data.float64["hull_vertices"] = flat(load.hull->vertex_um);
+    std::vector<std::int64_t>& corners = data.int64["hull_triangles"];
+    for (const auto& triangle : load.hull->triangle)
+        corners.insert(corners.end(), triangle.begin(), triangle.end());
+}
+
+Load load_of(const CheckpointData& data) {
+    Load load;
+    if (!data.float64.contains("probe")) return load;
+    const auto& p = find(data.float64, "probe", 11);
+    load.probe = {.radius_um = p[0],
+                  .force_nN = p[1],
+                  .friction_nN_s_per_um = p[2],
+                  .start_um = Vec3(p[3], p[4], p[5]),
+                  .direction = Vec3(p[6], p[7], p[8]),
+                  .way_um = p[9],
+                  .speed_um_per_s = p[10]};
+    Hull hull;
+    const auto& planes = find(data.float64, "hull_planes", 0);
+    for (std::size_t i = 0; i + 3 < planes.size(); i += 4)
+        hull.planes.push_back({Vec3(planes[i], planes[i + 1], planes[i + 2]), planes[i + 3]});
+    hull.vertex_um = unflat(find(data.float64, "hull_vertices", 0));
+    const auto& corners = find(data.int64, "hull_triangles", 0);
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+        hull.triangle.push_back({static_cast<int>(corners[i]), static_cast<int>(corners[i + 1]),
+                                 static_cast<int>(corners[i + 2])});
+    load.hull = std::make_shared<const Hull>(std::move(hull));
+    return load;
+}
+
 }  // namespace
 
 CheckpointData save(const RunState& run) {
@@ -41,6 +84,7 @@ CheckpointData save(const RunState& run) {
     f["v_um_per_s"] = flat(s.v_um_per_s);
     f["volume_integral_s"] = s.volume_integral_s;
     f["radius_um"] = run.radius_um;
+    save_load(s.load, data);
     f["state"] = {s.time_s,      s.next_dt_s,          s.wall.radius_um, s.wall.speed_um_per_s,
                   s.wall.time_s, s.fastest_rate_per_s, s.rate_time_s};
     f["stage_memory"] = {run.memory.start_s, run.memory.touching_wall_um};
@@ -82,6 +126,7 @@ RunState load_run_state(const CheckpointData& data) {
     s.v_um_per_s = unflat(find(f, "v_um_per_s", 3));
     s.volume_integral_s = find(f, "volume_integral_s", 1);
     run.radius_um = find(f, "radius_um", 1);
+    s.load = load_of(data);
     const auto& state = find(f, "state", 7);
     s.time_s = state[0];
     s.next_dt_s = state[1];

@@ -2,6 +2,7 @@
 
 #include "engine/measures/fields.hpp"
 #include "engine/measures/totals.hpp"
+#include "engine/model/load.hpp"
 #include "engine/model/mesh_topology.hpp"
 
 #include <cstdint>
@@ -63,6 +64,7 @@ struct Snapshot {
     std::vector<float> pressure_kPa;         ///< [n_cells]
     std::vector<float> volume_um3;           ///< [n_cells]
     std::vector<ContactLink> links;
+    Load load;  ///< hull and probe, if there are any
     Totals totals{};
     Diagnostics diagnostics;
 };

@@ -17,7 +17,8 @@ constexpr std::array<std::string_view, 2> k_laws{"traction", "variational"};
 constexpr std::array<std::string_view, 2> k_precisions{"float", "double"};
 constexpr std::array<std::string_view, 5> k_readings{"printed", "text", "two_sided", "per_cell",
                                                      "work_of_adhesion"};
-constexpr std::array<std::string_view, 5> k_stages{"anneal", "compact", "hold", "release", "relax"};
+constexpr std::array<std::string_view, 6> k_stages{"anneal",  "compact", "hold",
+                                                   "release", "relax",   "indent"};
 constexpr std::array<std::string_view, 3> k_stable_steps{"refuse", "follow", "ignore"};
 constexpr std::array<std::string_view, 3> k_untils{"duration", "rest", "stationary"};
 constexpr std::array<std::string_view, 3> k_outcomes{"ends", "stops", "either"};
@@ -25,6 +26,7 @@ constexpr std::array<std::string_view, 3> k_ranges{"run", "frame", "given"};
 
 constexpr std::string_view k_table_1 = "Cuvelier et al. 2021, Table 1";
 constexpr std::string_view k_table_2 = "Cuvelier et al. 2021, Table 2";
+constexpr std::string_view k_appendix_g = "Cuvelier et al. 2021, Appendix G";
 constexpr std::string_view k_ours = "chosen here";
 
 constexpr Bound positive{[](double x) { return x > 0.0; }, "> 0"};
@@ -111,9 +113,17 @@ constexpr Applies in_anneal{
 constexpr Applies in_compact{
     [](const Draft& d, std::size_t i) { return d.scene.stages[i].kind == StageKind::compact; },
     "in a stage of kind \"compact\""};
-constexpr Applies in_relax{
-    [](const Draft& d, std::size_t i) { return d.scene.stages[i].kind == StageKind::relax; },
-    "in a stage of kind \"relax\""};
+constexpr Applies in_indent{
+    [](const Draft& d, std::size_t i) { return d.scene.stages[i].kind == StageKind::indent; },
+    "in a stage of kind \"indent\""};
+constexpr Applies with_wall{
+    [](const Draft& d, std::size_t i) { return in_compact.holds(d, i) || in_indent.holds(d, i); },
+    "in a stage of kind \"compact\" or \"indent\""};
+constexpr Applies can_rest{[](const Draft& d, std::size_t i) {
+                               return d.scene.stages[i].kind == StageKind::relax ||
+                                      in_indent.holds(d, i);
+                           },
+                           "in a stage of kind \"relax\" or \"indent\""};
 constexpr Applies in_model_time{
     [](const Draft& d, std::size_t i) { return d.scene.stages[i].kind != StageKind::anneal; },
     "in stages of model time, so not in \"anneal\""};
@@ -397,11 +407,12 @@ const auto& keys() {
         Key{"stage", "kind", choose<&S::stages, &Stage::kind>(k_stages), number, {}, required, {},
             "", "Cuvelier et al. 2021, Appendix E",
             "Pack beads; compress by a wall; keep the wall; take it away; let the cells come to "
-            "rest."},
-        Key{"stage", "until", choose<&S::stages, &Stage::until>(k_untils), number, {}, {}, in_relax,
+            "rest; put a hull around them and press a bead into them (only as the last one)."},
+        Key{"stage", "until", choose<&S::stages, &Stage::until>(k_untils), number, {}, {}, can_rest,
             "", k_ours,
             "`rest` needs small velocities and steady measures, `stationary` steady measures "
-            "only."},
+            "only. `rest` of an indentation: for 2 s the probe is slower than 5e-4 um/s, and its "
+            "force and the sum of all forces are balanced to a thousandth."},
         Key{"stage", "duration", reach<&S::stages, &Stage::duration_s>(), time, positive, required,
             for_a_duration, "compact 5 s, hold 2 s, release 1 s", k_ours, "Model time."},
         Key{"stage", "cap", reach<&S::stages, &Stage::cap_s>(), time, positive, {}, until_quiet,
@@ -429,7 +440,29 @@ const auto& keys() {
             not_negative, {}, in_compact, "0.005 1/s", k_ours,
             "The wall stops when the contact fraction rises more slowly."},
         Key{"stage", "wall_stiffness", reach<&S::stages, &Stage::wall_stiffness>(), number,
-            positive, {}, in_compact, "10", k_ours, "Of the wall, over that of a contact."},
+            positive, {}, with_wall, "10", k_ours,
+            "Of the wall, over that of a contact; of an indentation, that of hull and probe."},
+        Key{"stage", "force", reach<&S::stages, &Stage::force_nN>(), force, positive, {},
+            in_indent, "15 nN", k_appendix_g, "With which the probe is pressed into the cells."},
+        Key{"stage", "probe_radius", reach<&S::stages, &Stage::probe_radius_um>(), length,
+            positive, {}, in_indent, "27 um: three times a cell's", k_appendix_g,
+            "Radius of the probe, a stiff bead."},
+        Key{"stage", "direction", reach<&S::stages, &Stage::direction>(), number, {}, {},
+            in_indent, "[0, 0, -1]", k_ours,
+            "In which the probe is pushed, of any length but zero; its line goes through the "
+            "centre of the cells."},
+        Key{"stage", "clearance", reach<&S::stages, &Stage::clearance_um>(), length, {}, {},
+            in_indent, "0 um", k_ours,
+            "Way of the probe until it touches the first node; not negative."},
+        Key{"stage", "probe_drag", reach<&S::stages, &Stage::probe_drag>(), number, positive, {},
+            in_indent, "1", k_ours,
+            "Friction of the probe, over that of Stokes in the medium, 6 pi eta_f R."},
+        Key{"stage", "hull_gap", reach<&S::stages, &Stage::hull_gap_um>(), length, {},
+            computed("contact.h0"), in_indent, "h0", k_ours,
+            "Distance of the hull from the outermost nodes; not negative."},
+        Key{"stage", "opening", reach<&S::stages, &Stage::opening>(), number, not_negative, {},
+            in_indent, "1.2", k_ours,
+            "Radius of the hull's opening at the probe, over the probe's."},
 
         Key{"measures", "fields", reach<&S::measures, &Measures::fields>(), number, {}, {}, {}, "",
             "", "Rows of the table of fields. Those that pictures show are added."},

@@ -310,6 +310,43 @@ void resolve_stage_meshes(Draft& draft) {
         throw Error(scene.stages.front().loc, "cells from a file start on the mesh of cells.nodes");
 }
 
+/// What an indentation takes from the rest of the scene, and what cannot be one.
+void resolve_indentation(Draft& draft) {
+    Scene& scene = draft.scene;
+    for (std::size_t k = 0; k < scene.stages.size(); ++k) {
+        Stage& stage = scene.stages[k];
+        if (stage.kind != StageKind::indent) continue;
+        if (!scene.contact)
+            throw Error(stage.loc, "indent needs [contact]: cells without it would be pressed "
+                                   "through each other");
+        if (k + 1 < scene.stages.size())
+            throw Error(stage.loc, "a stage of kind \"indent\" must be the last one: hull and "
+                                   "probe stay");
+        if (stage.until == Until::stationary)
+            throw Error(stage.loc, "an indentation ends after its duration or at rest, not "
+                                   "\"stationary\"");
+        const std::string path = fmt::format("stage[{}].", k);
+        if (!draft.given(path + "hull_gap")) stage.hull_gap_um = scene.contact->h0_um;
+        if (stage.hull_gap_um < 0.0)
+            throw Error(loc_of(draft, path + "hull_gap"),
+                        fmt::format("stage.hull_gap = {} um: the hull would not contain the cells",
+                                    stage.hull_gap_um),
+                        "it wants 0 um or more; contact.h0 is usual");
+        if (stage.clearance_um < 0.0)
+            throw Error(loc_of(draft, path + "clearance"),
+                        fmt::format("stage.clearance = {} um: the probe would start inside the "
+                                    "cells",
+                                    stage.clearance_um),
+                        "it wants 0 um or more");
+        const auto& [x, y, z] = stage.direction;
+        if (!(x * x + y * y + z * z > 0.0))
+            throw Error(loc_of(draft, path + "direction"),
+                        "stage.direction wants a vector that is not zero");
+        stage.probe_friction_nN_s_per_um = stage.probe_drag * 6.0 * std::numbers::pi *
+                                           scene.medium->eta_f_kPa_s * stage.probe_radius_um;
+    }
+}
+
 void check_stages(const Draft& draft) {
     const Scene& scene = draft.scene;
     const bool packs = scene.cells.arrangement == Arrangement::packing;
@@ -426,6 +463,7 @@ void resolve(Draft& draft) {
     resolve_times(draft);
     check_surroundings(draft);
     check_stages(draft);
+    resolve_indentation(draft);
     resolve_stage_meshes(draft);
     check_measures(draft);
     resolve_pictures(draft);

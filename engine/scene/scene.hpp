@@ -151,15 +151,15 @@ struct Method {
     StableStep stable_step = StableStep::refuse;  ///< forward_euler
 };
 
-enum class StageKind { anneal, compact, hold, release, relax };
+enum class StageKind { anneal, compact, hold, release, relax, indent };
 enum class Until { duration, rest, stationary };
 
 struct Stage {
     Loc loc;
     StageKind kind = StageKind::relax;
     double duration_s = 0.0;        ///< all but anneal; for `relax` with until = rest: unused
-    Until until = Until::duration;  ///< relax
-    double cap_s = 120.0;           ///< relax until rest/stationary: longest time
+    Until until = Until::duration;  ///< relax, indent
+    double cap_s = 120.0;           ///< until rest/stationary: longest time
     double every_s = 0.0;           ///< output interval, model time; 0: only at its end
     int nodes = 0;                  ///< mesh that it is computed on; resolved: never 0
     // anneal
@@ -169,7 +169,16 @@ struct Stage {
     // compact
     double volume_fraction = 0.97;      ///< stops here at the latest
     double contact_rate_per_s = 0.005;  ///< or when the contact fraction rises slower
-    double wall_stiffness = 10.0;       ///< over the contact stiffness k
+    double wall_stiffness = 10.0;       ///< over the contact stiffness k; indent: of hull and probe
+    // indent
+    double force_nN = 15.0;
+    double probe_radius_um = 27.0;
+    std::array<double, 3> direction{0.0, 0.0, -1.0};  ///< in which the probe is pushed
+    double clearance_um = 0.0;                        ///< of the probe at the start
+    double probe_drag = 1.0;                          ///< friction of the probe over that of Stokes
+    double probe_friction_nN_s_per_um = 0.0;          ///< resolved
+    double hull_gap_um = 0.0;                         ///< resolved: given, or h0
+    double opening = 1.2;                             ///< of the hull, over the probe's radius
 };
 
 struct Measures {

@@ -133,8 +133,7 @@ Trouble FastestMode::place(System& system) {
     double largest_of_terms = 0.0, sum_of_terms = 0.0;
     for (const auto& term : system.parts().terms) {
         CellStiffness stiffness;
-        if (term.get() != system.parts().wall || at.wall_radius_um > 0.0)
-            term->add_stiffness(at, trouble.cell, stiffness);
+        if (system.acts(*term)) term->add_stiffness(at, trouble.cell, stiffness);
         std::vector<Vec3> product(u.size(), Vec3::Zero());
         stiffness.add_product(1.0, u, product);
         double energy = dot(u, product);

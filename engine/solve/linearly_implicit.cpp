@@ -17,6 +17,7 @@
 #include "engine/solve/step_size.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spheroscope {
 
@@ -32,7 +33,8 @@ StepOutcome LinearlyImplicit::advance(System& system, State& state, double limit
         if (must_evaluate) {
             // A moving wall is taken at the end of the step, like everything stiff.
             const double wall_um = state.wall.acts() ? state.wall.radius_at(end_s) : 0.0;
-            outcome.trouble = system.evaluate(state.x_um, state.volume_integral_s, wall_um);
+            outcome.trouble =
+                system.evaluate(state.x_um, state.volume_integral_s, wall_um, state.load);
             if (outcome.trouble) return outcome;
             describe_forces(system, outcome);
             must_evaluate = state.wall.acts();  // another dt means another wall
@@ -43,17 +45,20 @@ StepOutcome LinearlyImplicit::advance(System& system, State& state, double limit
         volume_strains(system, integral_rate_);
         volume_.add_pressure(system, integral_rate_, b_);
         v_.assign(state.v_um_per_s.begin(), state.v_um_per_s.end());
-        const SolveOutcome solve = system.solve_implicit(dt_s, volume_.coefficient(), b_, v_,
-                                                         parameters_.linear_tolerance);
+        const SolveOutcome solve = probe_.solve(system, state, dt_s, volume_.coefficient(), b_, v_,
+                                                parameters_.linear_tolerance);
         outcome.linear_iterations += solve.iterations;
-        outcome.largest_displacement_um = dt_s * largest_speed_um_per_s(v_);
-        outcome.error_um = change_of_velocity_error_um(system.model(), state, v_, dt_s);
+        outcome.largest_displacement_um =
+            dt_s * std::max(largest_speed_um_per_s(v_), std::abs(probe_.speed_um_per_s()));
+        outcome.error_um = std::max(change_of_velocity_error_um(system.model(), state, v_, dt_s),
+                                    probe_.error_um(state, dt_s));
         if (!size.is_good(outcome, solve.converged)) {
             wanted_s = size.retry_s(outcome, solve.converged, 2);
             if (outcome.trouble) return outcome;
             continue;
         }
         describe_powers(system, state, freeze_volume_integral, v_, outcome);
+        outcome.drive_power_nN_um_per_s += probe_.power_nN_um_per_s();
         if (size.is_adaptive())
             state.next_dt_s =
                 std::min(size.next_s(outcome, wanted_s, 2), longest_next_step_s(system, outcome));
@@ -63,6 +68,7 @@ StepOutcome LinearlyImplicit::advance(System& system, State& state, double limit
                 state.volume_integral_s[cell] +=
                     volume_.integral_step_s(dt_s) * integral_rate_[cell];
         }
+        probe_.finish_step(state, dt_s);
         finish_step(state, v_, end_s);
         outcome.accepted = true;
         return outcome;

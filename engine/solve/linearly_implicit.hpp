@@ -2,6 +2,7 @@
 
 #include "engine/solve/implicit_volume.hpp"
 #include "engine/solve/method.hpp"
+#include "engine/solve/probe_coupling.hpp"
 
 #include <limits>
 #include <vector>
@@ -28,6 +29,7 @@ class LinearlyImplicit : public Method {
 
   private:
     ImplicitVolume volume_;
+    ProbeCoupling probe_;
     std::vector<Vec3> v_, b_;
     std::vector<double> integral_rate_;  // [cells]
 };

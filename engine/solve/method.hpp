@@ -63,6 +63,7 @@ struct MethodRow {
     int stages;               ///< force evaluations of a step; 0: as many as its length asks for
     bool needs_stiffness;     ///< solves with (Gamma + dt K)
     bool holds_exact_volume;  ///< can keep V = V* (controller = "exact")
+    bool moves_probe;         ///< the probe of an indentation is one of its unknowns
     std::string_view description;
     std::unique_ptr<Method> (*make)(const MethodParameters&);
 

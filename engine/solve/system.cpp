@@ -57,21 +57,22 @@ void System::allocate(Evaluation& evaluation) const {
 
 std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
                                         std::span<const double> volume_integral_s,
-                                        double wall_radius_um) {
+                                        double wall_radius_um, const Load& load) {
     const auto same_bits = [](const auto& kept, const auto& asked) {
         return kept.size() == asked.size() &&
                std::memcmp(kept.data(), asked.data(), asked.size_bytes()) == 0;
     };
     // Measures look at a configuration just before a method starts from it; comparing costs a
     // thousandth of evaluating.
-    if (now_.is_valid && wall_radius_um == now_.wall_radius_um && same_bits(now_.x_um, x_um) &&
-        same_bits(now_.volume_integral_s, volume_integral_s))
+    if (now_.is_valid && wall_radius_um == now_.wall_radius_um && load == now_.load &&
+        same_bits(now_.x_um, x_um) && same_bits(now_.volume_integral_s, volume_integral_s))
         return {};
     if (now_.force_nN.empty()) allocate(now_);  // the first time that another one lies aside
     now_.is_valid = false;
     now_.x_um.assign(x_um.begin(), x_um.end());
     now_.volume_integral_s.assign(volume_integral_s.begin(), volume_integral_s.end());
     now_.wall_radius_um = wall_radius_um;
+    now_.load = load;
     now_.pairs.clear();
     now_.has_pairs = false;
     now_.assembled_dt_s = 0.0;
@@ -152,7 +153,8 @@ std::optional<Trouble> System::find_trouble() {
 
 Configuration System::configuration() const {
     return {model_,        now_.x_um,     now_.volume_integral_s,
-            now_.geometry, now_.contacts, now_.wall_radius_um};
+            now_.geometry, now_.contacts, now_.wall_radius_um,
+            now_.load};
 }
 
 double System::energy_fJ() {

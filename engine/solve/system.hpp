@@ -2,8 +2,10 @@
 
 #include "engine/contact/contact_search.hpp"
 #include "engine/contact/variational_search.hpp"
+#include "engine/forces/confining_hull.hpp"
 #include "engine/forces/cytosol_pressure.hpp"
 #include "engine/forces/force_term.hpp"
+#include "engine/forces/indenting_probe.hpp"
 #include "engine/model/state.hpp"
 #include "engine/solve/conjugate_gradients.hpp"
 #include "engine/solve/friction_matrix.hpp"
@@ -19,6 +21,8 @@ namespace spheroscope {
 struct SystemParts {
     std::vector<std::unique_ptr<ForceTerm>> terms;
     const ForceTerm* wall = nullptr;           ///< one of `terms`; acts only while State::wall does
+    const ConfiningHull* hull = nullptr;       ///< one of `terms`; likewise with State::load
+    const IndentingProbe* probe = nullptr;     ///< likewise
     const CytosolPressure* cytosol = nullptr;  ///< one of `terms`
     Frictions frictions;
     std::optional<ContactLaw> contact;
@@ -45,11 +49,11 @@ class System {
     System(Model model, SystemParts parts, int n_threads, Need also = Need::none);
 
     /// Computes geometry, contacts and F at these unknowns, with the wall at wall_radius_um (0:
-    /// none). Returns what is not finite, if anything. Does nothing if the last evaluation was of
-    /// the same bits.
+    /// none) and this load. Returns what is not finite, if anything. Does nothing if the last
+    /// evaluation was of the same bits.
     [[nodiscard]] std::optional<Trouble> evaluate(std::span<const Vec3> x_um,
                                                   std::span<const double> volume_integral_s,
-                                                  double wall_radius_um);
+                                                  double wall_radius_um, const Load& load = {});
 
     /// Puts the last evaluation aside and takes up the one that lay there, by exchanging memory:
     /// between two calls a method of several stages looks at another configuration, and then has
@@ -64,6 +68,13 @@ class System {
     [[nodiscard]] Configuration configuration() const;
     /// Stored energy of all terms that have one, fJ.
     [[nodiscard]] double energy_fJ();
+    /// Whether the term has an effect at present: walls, hulls and probes come and go.
+    [[nodiscard]] bool acts(const ForceTerm& term) const {
+        if (&term == parts_.wall) return now_.wall_radius_um > 0.0;
+        if (&term == parts_.hull) return now_.load.hull != nullptr;
+        if (&term == parts_.probe) return now_.load.probe.acts();
+        return true;
+    }
     /// Force of one term alone at the last evaluation [all nodes].
     [[nodiscard]] std::vector<Vec3> force_of_term(const ForceTerm& term);
 
@@ -100,6 +111,7 @@ class System {
         std::vector<Vec3> x_um;
         std::vector<double> volume_integral_s;
         double wall_radius_um = 0.0;
+        Load load;
         Geometry geometry;
         Contacts contacts;
         std::vector<Vec3> force_nN;
@@ -113,9 +125,6 @@ class System {
     [[nodiscard]] std::optional<Trouble> find_trouble();
     void assemble(double dt_s);
     void assemble_friction();
-    [[nodiscard]] bool acts(const ForceTerm& term) const {
-        return &term != parts_.wall || now_.wall_radius_um > 0.0;
-    }
 
     Model model_;
     SystemParts parts_;

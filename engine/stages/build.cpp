@@ -36,10 +36,11 @@ Mat3 random_rotation(std::uint64_t seed, int cell) {
     return q.toRotationMatrix();
 }
 
-bool has_wall(const scene::Scene& scene) {
-    return std::any_of(scene.stages.begin(), scene.stages.end(), [](const scene::Stage& stage) {
-        return stage.kind == scene::StageKind::compact;
-    });
+/// The first stage of this kind, or nullptr.
+const scene::Stage* find_stage(const scene::Scene& scene, scene::StageKind kind) {
+    const auto found = std::find_if(scene.stages.begin(), scene.stages.end(),
+                                    [&](const scene::Stage& stage) { return stage.kind == kind; });
+    return found == scene.stages.end() ? nullptr : &*found;
 }
 
 ContactLaw contact_law(const scene::Contact& contact) {
@@ -52,12 +53,9 @@ ContactLaw contact_law(const scene::Contact& contact) {
     return law;
 }
 
-/// Stiffness of the compaction wall per area: a multiple of the contacts' own.
-double wall_stiffness_kPa_per_um(const scene::Scene& scene) {
-    for (const scene::Stage& stage : scene.stages)
-        if (stage.kind == scene::StageKind::compact)
-            return stage.wall_stiffness * contact_law(*scene.contact).k_kPa_per_um;
-    return 0.0;
+/// Stiffness per area of what a stage puts around the cells: a multiple of the contacts' own.
+double wall_stiffness_kPa_per_um(const scene::Scene& scene, const scene::Stage& stage) {
+    return stage.wall_stiffness * contact_law(*scene.contact).k_kPa_per_um;
 }
 
 void place_unturned(const Model& model, int cell, const Vec3& centre_um, std::span<Vec3> x_um) {
@@ -217,9 +215,16 @@ SystemParts build_parts(const scene::Scene& scene, std::span<const Vec3> held_fo
     if (const auto& p = scene.held)
         add(std::make_unique<HeldForce>(
             p->loc, std::vector<Vec3>(held_force_nN.begin(), held_force_nN.end())));
-    if (has_wall(scene))
+    if (const auto* stage = find_stage(scene, scene::StageKind::compact))
         parts.wall = add(std::make_unique<CompactionWall>(
-            scene.stages.front().loc, CompactionWallParameters{wall_stiffness_kPa_per_um(scene)}));
+            stage->loc, CompactionWallParameters{wall_stiffness_kPa_per_um(scene, *stage)}));
+    if (const auto* stage = find_stage(scene, scene::StageKind::indent)) {
+        const double k_kPa_per_um = wall_stiffness_kPa_per_um(scene, *stage);
+        parts.hull =
+            add(std::make_unique<ConfiningHull>(stage->loc, ConfiningHullParameters{k_kPa_per_um}));
+        parts.probe = add(
+            std::make_unique<IndentingProbe>(stage->loc, IndentingProbeParameters{k_kPa_per_um}));
+    }
     if (scene.medium) parts.frictions.eta_f_kPa_s = scene.medium->eta_f_kPa_s;
     if (const auto& p = scene.cortex.viscosity)
         parts.frictions.edge_nN_s_per_um = edge_friction_nN_s_per_um(p->eta_kPa_s, t_um);

@@ -20,6 +20,16 @@ const MethodRow& chosen_method(const scene::Scene& scene) {
     if (method == nullptr)
         throw Error(scene.method.loc, "there is no method '" + scene.method.name + "'",
                     "methods are:" + names_of(all_methods()));
+    for (const scene::Stage& stage : scene.stages)
+        if (stage.kind == scene::StageKind::indent && !method->moves_probe) {
+            std::string names;
+            for (const MethodRow& row : all_methods())
+                if (row.moves_probe) names += " " + std::string(row.name);
+            throw Error(stage.loc,
+                        "the method " + scene.method.name +
+                            " cannot move the probe of a stage of kind \"indent\"",
+                        "methods that can:" + names);
+        }
     if (!scene.cytosol) return *method;
     using enum scene::VolumeController;
     if (scene.cytosol->controller == exact && !method->holds_exact_volume) {

@@ -21,14 +21,15 @@ template <class Part> PlanRow table_row(std::string_view part, std::string_view 
             table ? place(table->loc) : "no [" + table_name + "]"};
 }
 
-PlanRow wall_row(const scene::Scene& scene, const ForceTermRow& term) {
-    const auto compact =
-        std::find_if(scene.stages.begin(), scene.stages.end(), [](const scene::Stage& stage) {
-            return stage.kind == scene::StageKind::compact;
-        });
-    const bool is_in = compact != scene.stages.end();
+/// A term that belongs to the stages of one kind.
+PlanRow stage_row(const scene::Scene& scene, const ForceTermRow& term, scene::StageKind kind) {
+    const auto stage =
+        std::find_if(scene.stages.begin(), scene.stages.end(),
+                     [&](const scene::Stage& candidate) { return candidate.kind == kind; });
+    const bool is_in = stage != scene.stages.end();
     return {std::string(term.name), std::string(term.equation), is_in,
-            is_in ? place(compact->loc) : "no [[stage]] with kind = \"compact\""};
+            is_in ? place(stage->loc)
+                  : "no [[stage]] with kind = \"" + std::string(name_of(kind)) + "\""};
 }
 
 PlanRow regularisation_row(const scene::Scene& scene, const ForceTermRow& term) {
@@ -60,7 +61,8 @@ PlanRow term_row(const scene::Scene& scene, const ForceTermRow& term) {
     if (name == "body_force")
         return table_row(name, term.equation, scene.body_force, "load.body_force");
     if (name == "load.held") return table_row(name, term.equation, scene.held, name);
-    if (name == "stage.compact") return wall_row(scene, term);
+    if (name == "stage.compact") return stage_row(scene, term, scene::StageKind::compact);
+    if (name.starts_with("stage.indent")) return stage_row(scene, term, scene::StageKind::indent);
     SPHEROSCOPE_ASSERT(name.starts_with("cortex.regularisation."), name);
     return regularisation_row(scene, term);
 }

@@ -1,6 +1,7 @@
 #include "engine/stages/stage.hpp"
 
 #include "engine/stages/compaction.hpp"
+#include "engine/stages/indentation.hpp"
 #include "engine/stages/relaxation.hpp"
 
 namespace spheroscope {
@@ -23,6 +24,7 @@ std::string_view name_of(scene::StageKind kind) {
     case scene::StageKind::hold: return "hold";
     case scene::StageKind::release: return "release";
     case scene::StageKind::relax: return "relax";
+    case scene::StageKind::indent: return "indent";
     }
     return "";
 }
@@ -42,6 +44,7 @@ std::unique_ptr<Stage> make_stage(const scene::Stage& parameters) {
     case scene::StageKind::hold: return std::make_unique<Hold>(parameters);
     case scene::StageKind::release: return std::make_unique<Release>(parameters);
     case scene::StageKind::relax: return std::make_unique<Relaxation>(parameters);
+    case scene::StageKind::indent: return std::make_unique<Indentation>(parameters);
     }
     SPHEROSCOPE_ASSERT(false, "beads are annealed by BeadPacking");
     return nullptr;

@@ -16,6 +16,8 @@ namespace spheroscope::run_format {
 
 /// Group of the error estimates: one group per measure in it.
 constexpr const char* k_accuracy = "/accuracy";
+/// Group of the hull of an indentation.
+constexpr const char* k_hull = "/hull";
 
 /// changes_text() of what was changed during the run. Absent: nothing was.
 constexpr const char* k_changes = "/changes";

@@ -31,6 +31,37 @@ std::vector<ContactLink> read_contacts(const File& file, const std::string& step
     return links;
 }
 
+/// What the writer has left of a load: where the probe is, and the hull. How the probe moves is the
+/// run's own business.
+Load read_load(const File& file, const std::string& step) {
+    Load load;
+    if (!file.exists(step + "/probe")) return load;
+    const auto probe = file.read_array<double>(step + "/probe", {4});
+    load.probe.start_um = Vec3(probe[0], probe[1], probe[2]);
+    load.probe.radius_um = probe[3];
+    const std::string group = run_format::k_hull;
+    const std::uint64_t n_vertices = file.shape(group + "/vertices").at(0);
+    const std::uint64_t n_triangles = file.shape(group + "/triangles").at(0);
+    const auto vertices = file.read_array<float>(group + "/vertices", {n_vertices, 3});
+    const auto corners = file.read_array<std::int32_t>(group + "/triangles", {n_triangles, 3});
+    const std::uint64_t n_planes = file.shape(group + "/planes").at(0);
+    const auto planes = file.read_array<double>(group + "/planes", {n_planes, 4});
+    Hull hull;
+    for (std::size_t i = 0; i < planes.size(); i += 4)
+        hull.planes.push_back({Vec3(planes[i], planes[i + 1], planes[i + 2]), planes[i + 3]});
+    for (std::size_t i = 0; i < vertices.size(); i += 3)
+        hull.vertex_um.emplace_back(double{vertices[i]}, double{vertices[i + 1]},
+                                    double{vertices[i + 2]});
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        for (std::size_t k = i; k < i + 3; ++k)
+            if (corners[k] < 0 || static_cast<std::uint64_t>(corners[k]) >= n_vertices)
+                file.fail(fmt::format("{} has a triangle with the corner {}", group, corners[k]));
+        hull.triangle.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    }
+    load.hull = std::make_shared<const Hull>(std::move(hull));
+    return load;
+}
+
 /// A number that the file's version of the program did not have yet is undefined.
 double read_column(const File& file, const run_format::Column& column, int frame) {
     const std::string path = run_format::column_path(column);
@@ -116,6 +147,7 @@ SnapshotPtr RunFileReader::frame(int number) const {
     frame->pressure_kPa = file.read_array<float>(step + "/cells/pressure", {n_cells});
     frame->volume_um3 = file.read_array<float>(step + "/cells/volume", {n_cells});
     frame->links = read_contacts(file, step, header_->n_cells);
+    frame->load = read_load(file, step);
     for (const run_format::Column& column : run_format::columns())
         run_format::set_column_value(column, *frame, read_column(file, column, number));
     const auto bad = std::find_if_not(frame->x_um.begin(), frame->x_um.end(),

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -72,6 +73,35 @@ void write_contacts(File& file, const std::string& step, const std::vector<Conta
     write_floats(file, step + "/contacts/area", areas, {links.size()}, "um^2");
 }
 
+/// The probe of this frame, and the hull, which stands still, once for the whole run.
+void write_load(File& file, const std::string& step, const Load& load) {
+    const Vec3 centre_um = load.probe.centre_um();
+    file.write_array<double>(
+        step + "/probe",
+        std::array{centre_um.x(), centre_um.y(), centre_um.z(), load.probe.radius_um}, {4});
+    file.write_attribute(step + "/probe", "unit", std::string("um"));
+    if (file.exists(run_format::k_hull)) return;
+    const Hull& hull = *load.hull;
+    file.create_group(run_format::k_hull);
+    std::vector<double> planes;
+    for (const Hull::Plane& plane : hull.planes)
+        planes.insert(planes.end(),
+                      {plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset_um});
+    file.write_array<double>(run_format::k_hull + std::string("/planes"), planes,
+                             {hull.planes.size(), 4});
+    std::vector<float> vertices;
+    for (const Vec3& x : hull.vertex_um)
+        for (const double component : {x.x(), x.y(), x.z()})
+            vertices.push_back(static_cast<float>(component));
+    std::vector<std::int32_t> triangles;
+    for (const auto& triangle : hull.triangle)
+        triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+    write_floats(file, run_format::k_hull + std::string("/vertices"), vertices,
+                 {hull.vertex_um.size(), 3}, "um");
+    file.write_array<std::int32_t>(run_format::k_hull + std::string("/triangles"), triangles,
+                                   {hull.triangle.size(), 3}, Packing::gzip);
+}
+
 void write_step(File& file, const Snapshot& frame) {
     const RunHeader& header = *frame.header;
     const auto n_cells = static_cast<std::uint64_t>(header.n_cells);
@@ -101,6 +131,7 @@ void write_step(File& file, const Snapshot& frame) {
     write_floats(file, step + "/cells/pressure", frame.pressure_kPa, {n_cells}, "kPa");
     write_floats(file, step + "/cells/volume", frame.volume_um3, {n_cells}, "um^3");
     write_contacts(file, step, frame.links);
+    if (frame.load.probe.acts()) write_load(file, step, frame.load);
 }
 
 /// The first thing in which two runs differ, "" if they are the same.

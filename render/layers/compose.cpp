@@ -128,6 +128,15 @@ void add_network(Buffers& cells, const Buffers& network, double hidden_opacity) 
     }
 }
 
+void add_glass(Buffers& cells, const Buffers& glass, double opacity) {
+    for (std::size_t pixel = 0; pixel < cells.depth.size(); ++pixel) {
+        if (glass.depth[pixel] >= 1.0F || glass.depth[pixel] > cells.depth[pixel]) continue;
+        for (std::size_t k = 3 * pixel; k < 3 * pixel + 3; ++k)
+            cells.rgb[k] = static_cast<std::uint8_t>(
+                std::lround((1.0 - opacity) * cells.rgb[k] + opacity * glass.rgb[k]));
+    }
+}
+
 Image make_image(const Buffers& drawn, int n_samples, double px_per_um) {
     static_assert(std::endian::native == std::endian::little, "average() reads words of bytes");
     SPHEROSCOPE_ASSERT(n_samples >= 1 && n_samples <= k_most_samples, "one pixel, or 2 x 2");

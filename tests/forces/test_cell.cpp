@@ -5,10 +5,12 @@
 #include "engine/forces/bending.hpp"
 #include "engine/forces/body_force.hpp"
 #include "engine/forces/compaction_wall.hpp"
+#include "engine/forces/confining_hull.hpp"
 #include "engine/forces/cytosol_pressure.hpp"
 #include "engine/forces/fold_stop.hpp"
 #include "engine/forces/held_force.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
+#include "engine/forces/indenting_probe.hpp"
 #include "engine/forces/strain_limiter.hpp"
 #include "engine/forces/terms.hpp"
 
@@ -57,7 +59,23 @@ void TestCell::update() { geometry.compute_cell(model, x_um, k_all_needs, cell);
 std::span<Vec3> TestCell::x() { return model.cell_nodes(std::span<Vec3>(x_um), cell); }
 
 Configuration TestCell::at() const {
-    return {model, x_um, volume_integral_s, geometry, contacts, wall_radius_um};
+    return {model, x_um, volume_integral_s, geometry, contacts, wall_radius_um, load};
+}
+
+Load TestCell::made_up_load() {
+    Hull hull;
+    hull.planes = {{Vec3(1.0, 0.2, 0.0).normalized(), 8.3},
+                   {Vec3(-0.3, 1.0, 0.4).normalized(), 8.5},
+                   {Vec3(0.1, -0.2, -1.0).normalized(), 7.9}};
+    Load result;
+    result.hull = std::make_shared<const Hull>(std::move(hull));
+    result.probe = {.radius_um = 27.0,
+                    .force_nN = 15.0,
+                    .friction_nN_s_per_um = 25.4,
+                    .start_um = Vec3(1.0, -2.0, 34.5),
+                    .direction = Vec3(0.0, 0.0, -1.0),
+                    .way_um = 0.7};
+    return result;
 }
 
 std::vector<Vec3> TestCell::force_nN(const ForceTerm& term) const {
@@ -86,6 +104,8 @@ std::vector<std::unique_ptr<ForceTerm>> make_all_terms() {
     terms.push_back(std::make_unique<StrainLimiter>(Loc{}, StrainLimiterParameters{0.25, 0.02}));
     terms.push_back(std::make_unique<FoldStop>(Loc{}, FoldStopParameters{0.25, 0.3}));
     terms.push_back(std::make_unique<CompactionWall>(Loc{}, CompactionWallParameters{50.0}));
+    terms.push_back(std::make_unique<ConfiningHull>(Loc{}, ConfiningHullParameters{50.0}));
+    terms.push_back(std::make_unique<IndentingProbe>(Loc{}, IndentingProbeParameters{50.0}));
     terms.push_back(
         std::make_unique<BodyForce>(Loc{}, BodyForceParameters{{1.0, -2.0, 0.5}, true}));
     terms.push_back(std::make_unique<HeldForce>(Loc{}, held_forces_nN()));

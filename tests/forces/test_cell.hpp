@@ -38,6 +38,9 @@ class TestCell {
     Geometry geometry;
     Contacts contacts;
     double wall_radius_um = 9.1;
+    Load load = made_up_load();  ///< overlaps the rest shape of the second cell
+
+    [[nodiscard]] static Load made_up_load();
 };
 
 /// One of every row of force_terms(), in that order, with the paper's case A values; the silent

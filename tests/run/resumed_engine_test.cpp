@@ -61,9 +61,21 @@ kind = "relax"
 until = "rest"
 cap = "0.2 s"
 every = "0.05 s"
+[[stage]]
+kind = "indent"
+until = "rest"
+cap = "0.3 s"
+every = "0.1 s"
 [measures]
 fields = ["sigma_h", "sigma_nn"]
 )";
+
+/// For methods that cannot move a probe.
+std::string without_indentation() {
+    const std::string text = k_scene;
+    const std::size_t begin = text.rfind("[[stage]]");
+    return text.substr(0, begin) + text.substr(text.find("[measures]"));
+}
 
 /// What comes out of a run: its frames, and where it ended.
 struct Record {
@@ -128,14 +140,14 @@ TEST(ResumedEngine, ContinuesToTheBitFromStopsInEveryStage) {
     const Record whole = run_scene(scene, 0);
     ASSERT_EQ(whole.result.verdict, RunVerdict::cap);
     const Record stopped = run_scene(scene, 2);
-    for (int stage = 0; stage < 5; ++stage)
+    for (int stage = 0; stage < 6; ++stage)
         EXPECT_GT(stopped.stops_in_stage.count(stage), 0U) << "stage " << stage;
     expect_same(stopped, whole);
 }
 
 TEST(ResumedEngine, ContinuesToTheBitWithThePapersMethod) {
     const scene::Scene scene = scene::parse_scene(
-        k_scene, "scene.toml",
+        without_indentation(), "scene.toml",
         {{"method.name", "forward_euler"}, {"method.dt", "0.0005 s"}, {"stage[4].cap", "0.1 s"}});
     const Record whole = run_scene(scene, 0);
     ASSERT_EQ(whole.result.verdict, RunVerdict::cap) << whole.result.message;

@@ -46,6 +46,7 @@ const std::vector<std::string>& scenes() {
         k_shell + "[contact]\nlaw = \"variational\"\n[contact.adhesion]\nW = \"0.25 nN/um\"\n",
         k_shell + "[cortex.elastic]\nE = \"20 kPa\"\n[cortex.bending]\n" + viscosity,
         k_shell + contact + "[[stage]]\nkind = \"compact\"\nduration = \"0.01 s\"\n",
+        k_shell + contact + "[[stage]]\nkind = \"indent\"\nduration = \"0.01 s\"\n",
         k_shell + "[load.body_force]\nforce = [\"0 nN\", \"0 nN\", \"0.1 nN\"]\nopposed = true\n"};
     return all;
 }

@@ -95,6 +95,14 @@ Snapshot make_frame(const std::shared_ptr<const RunHeader>& header, int number) 
     if (n_cells > 1)
         for (int k = 0; k < number % 3; ++k)
             frame.links.push_back({0, 1, static_cast<float>(s) / 3, static_cast<float>(k) / 7});
+    if (number > 1) {  // later frames are under load; the hull stays the same
+        Hull hull;
+        hull.vertex_um = {Vec3(0.5, 0.25, 0.0), Vec3(0.0, 1.5, 0.0), Vec3(0.0, 0.0, 2.75)};
+        hull.triangle = {{0, 1, 2}, {2, 1, 0}};
+        frame.load.hull = std::make_shared<const Hull>(std::move(hull));
+        frame.load.probe.radius_um = 27.1;
+        frame.load.probe.start_um = Vec3(0.1 * s, -0.3, 1.0 / 3.0);
+    }
     double value = 11.5 * s;
     for (const run_format::Column& column : run_format::columns()) {
         run_format::set_column_value(column, frame,
@@ -105,6 +113,19 @@ Snapshot make_frame(const std::shared_ptr<const RunHeader>& header, int number) 
     return frame;
 }
 
+namespace {
+
+bool same_load(const Load& got, const Load& wanted) {
+    if (got.probe.radius_um != wanted.probe.radius_um ||
+        got.probe.centre_um() != wanted.probe.centre_um())
+        return false;
+    if ((got.hull == nullptr) != (wanted.hull == nullptr)) return false;
+    return got.hull == nullptr || (got.hull->vertex_um == wanted.hull->vertex_um &&
+                                   got.hull->triangle == wanted.hull->triangle);
+}
+
+}  // namespace
+
 bool is_equal(const Snapshot& got, const Snapshot& wanted) {
     bool equal = got.frame == wanted.frame && same_number(got.time_s, wanted.time_s) &&
                  got.stage == wanted.stage && got.stage_name == wanted.stage_name &&
@@ -113,7 +134,8 @@ bool is_equal(const Snapshot& got, const Snapshot& wanted) {
                  got.fields.size() == wanted.fields.size() &&
                  same_bits(got.centre_um, wanted.centre_um) &&
                  same_bits(got.pressure_kPa, wanted.pressure_kPa) &&
-                 same_bits(got.volume_um3, wanted.volume_um3) && same_bits(got.links, wanted.links);
+                 same_bits(got.volume_um3, wanted.volume_um3) &&
+                 same_bits(got.links, wanted.links) && same_load(got.load, wanted.load);
     for (std::size_t f = 0; equal && f < wanted.fields.size(); ++f)
         equal = same_bits(got.fields[f], wanted.fields[f]);
     for (const run_format::Column& column : run_format::columns())
@@ -138,6 +160,7 @@ void expect_equal(const Snapshot& got, const Snapshot& wanted) {
     EXPECT_TRUE(same_bits(got.volume_um3, wanted.volume_um3));
     EXPECT_EQ(got.links.size(), wanted.links.size());
     EXPECT_TRUE(same_bits(got.links, wanted.links));
+    EXPECT_TRUE(same_load(got.load, wanted.load));
     for (const run_format::Column& column : run_format::columns())
         EXPECT_TRUE(same_number(run_format::column_value(column, got),
                                 run_format::column_value(column, wanted)))

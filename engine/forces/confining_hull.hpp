@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/forces/force_term.hpp"
+
+namespace spheroscope {
+
+struct ConfiningHullParameters {
+    double k_kPa_per_um = 0.0;  ///< pressure per overlap
+};
+
+/// A convex hull that confines without friction and without adhesion (Cuvelier et al. 2021,
+/// Appendix G, which prints no law). F_i = -k a_i d n with the node's rest area a_i, d the distance
+/// by which it is beyond the plane that it is farthest beyond, and n that plane's normal.
+class ConfiningHull final : public ForceTerm {
+  public:
+    /// Throws Error unless k > 0.
+    ConfiningHull(Loc loc, const ConfiningHullParameters& parameters);
+
+    [[nodiscard]] std::string_view name() const override { return "stage.indent.hull"; }
+    [[nodiscard]] Need needs() const override { return Need::none; }
+    void add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const override;
+    [[nodiscard]] std::optional<double> energy_fJ(const Configuration& at, int cell) const override;
+    void add_stiffness(const Configuration& at, int cell, CellStiffness& K) const override;
+
+    /// Sum of the forces on all cells, nN.
+    [[nodiscard]] Vec3 sum_nN(const Configuration& at) const;
+
+  private:
+    ConfiningHullParameters parameters_;
+};
+
+}  // namespace spheroscope

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "engine/forces/force_term.hpp"
+
+#include <vector>
+
+namespace spheroscope {
+
+struct IndentingProbeParameters {
+    double k_kPa_per_um = 0.0;  ///< pressure per overlap
+};
+
+/// A rigid bead that is pressed into the aggregate, with slip and without adhesion. The law is
+/// linear, as that of the hull: F_i = k a_i (R - |x_i - c|)+ along x_i - c, with the node's rest
+/// area a_i. (Cuvelier et al. 2021, Appendix G, have Hertz contacts of triangles, whose radii and
+/// moduli they do not print.)
+class IndentingProbe final : public ForceTerm {
+  public:
+    /// One node that the probe touches.
+    struct Touch {
+        std::size_t node;    ///< of all nodes
+        double k_nN_per_um;  ///< of this node
+        double overlap_um;
+        Vec3 outward;  ///< unit, from the probe's centre
+        double along;  ///< outward . direction
+    };
+
+    /// Throws Error unless k > 0.
+    IndentingProbe(Loc loc, const IndentingProbeParameters& parameters);
+
+    [[nodiscard]] std::string_view name() const override { return "stage.indent.probe"; }
+    [[nodiscard]] Need needs() const override { return Need::none; }
+    void add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const override;
+    [[nodiscard]] std::optional<double> energy_fJ(const Configuration& at, int cell) const override;
+    /// For a probe that stands still, along the radius; how it gives way is ProbeCoupling's.
+    void add_stiffness(const Configuration& at, int cell, CellStiffness& K) const override;
+
+    /// Replaces `touches` by all that there are, in the order of the nodes.
+    void find_touches(const Configuration& at, std::vector<Touch>& touches) const;
+    /// Sum of the forces on all cells, nN; what pushes the probe back is its opposite.
+    [[nodiscard]] Vec3 sum_nN(const Configuration& at) const;
+
+  private:
+    IndentingProbeParameters parameters_;
+};
+
+}  // namespace spheroscope
