@@ -2,6 +2,7 @@
 
 #include "engine/forces/cell_stiffness.hpp"
 #include "engine/forces/cell_view.hpp"
+#include "engine/forces/nearest_inside.hpp"
 #include "engine/forces/parameter_check.hpp"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ void find_planes_near(const CellView& view, const Hull& hull,
         if (!(plane.normal.dot(middle) - plane.offset_um < -reach_um)) near.push_back(&plane);
 }
 
-/// Calls visit(node, k a_i in nN/um, overlap in um, outward normal) for every node beyond the hull.
+/// Calls visit(node, k a_i in nN/um, x_i, nearest point of the hull) for every node beyond the
+/// hull.
 template <class Visit>
 void for_each_overlap(const Configuration& at, int cell, double k_kPa_per_um, Visit visit) {
     if (at.load.hull == nullptr) return;
@@ -37,19 +39,11 @@ void for_each_overlap(const Configuration& at, int cell, double k_kPa_per_um, Vi
     find_planes_near(view, *at.load.hull, near);
     if (near.empty()) return;
     for (int i = 0; i < view.mesh.n_nodes(); ++i) {
-        double overlap_um = 0.0;
-        const Hull::Plane* farthest = nullptr;
-        for (const Hull::Plane* plane : near) {
-            const double beyond_um = plane->normal.dot(view.x(i)) - plane->offset_um;
-            if (!(beyond_um <= overlap_um)) {
-                overlap_um = beyond_um;
-                farthest = plane;
-            }
-        }
-        if (farthest == nullptr) continue;
+        const NearestInside inside = nearest_inside(near, view.x(i));
+        if (inside.n_across == 0) continue;
         const double area =
             view.R_um * view.R_um * view.model.unit_node_area[static_cast<std::size_t>(i)];
-        visit(i, k_kPa_per_um * area, overlap_um, farthest->normal);
+        visit(i, k_kPa_per_um * area, view.x(i), inside);
     }
 }
 
@@ -62,31 +56,34 @@ ConfiningHull::ConfiningHull(Loc loc, const ConfiningHullParameters& parameters)
 
 void ConfiningHull::add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const {
     for_each_overlap(at, cell, parameters_.k_kPa_per_um,
-                     [&](int i, double k, double overlap, const Vec3& outward) {
-                         at_node(F_nN, i) -= k * overlap * outward;
+                     [&](int i, double k, const Vec3& x_um, const NearestInside& inside) {
+                         at_node(F_nN, i) -= k * (x_um - inside.point_um);
                      });
 }
 
 std::optional<double> ConfiningHull::energy_fJ(const Configuration& at, int cell) const {
     double sum = 0.0;
-    for_each_overlap(
-        at, cell, parameters_.k_kPa_per_um,
-        [&](int, double k, double overlap, const Vec3&) { sum += 0.5 * k * overlap * overlap; });
+    for_each_overlap(at, cell, parameters_.k_kPa_per_um,
+                     [&](int, double k, const Vec3& x_um, const NearestInside& inside) {
+                         sum += 0.5 * k * (x_um - inside.point_um).squaredNorm();
+                     });
     return sum;
 }
 
 void ConfiningHull::add_stiffness(const Configuration& at, int cell, CellStiffness& K) const {
-    for_each_overlap(
-        at, cell, parameters_.k_kPa_per_um,
-        [&](int i, double k, double, const Vec3& outward) { K.nodes.emplace_back(i, k, outward); });
+    for_each_overlap(at, cell, parameters_.k_kPa_per_um,
+                     [&](int i, double k, const Vec3&, const NearestInside& inside) {
+                         for (int n = 0; n < inside.n_across; ++n)
+                             K.nodes.emplace_back(i, k, inside.across[static_cast<std::size_t>(n)]);
+                     });
 }
 
 Vec3 ConfiningHull::sum_nN(const Configuration& at) const {
     Vec3 sum = Vec3::Zero();
     for (int cell = 0; cell < at.model.n_cells(); ++cell)
         for_each_overlap(at, cell, parameters_.k_kPa_per_um,
-                         [&](int, double k, double overlap, const Vec3& outward) {
-                             sum -= k * overlap * outward;
+                         [&](int, double k, const Vec3& x_um, const NearestInside& inside) {
+                             sum -= k * (x_um - inside.point_um);
                          });
     return sum;
 }

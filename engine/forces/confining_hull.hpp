@@ -9,8 +9,10 @@ struct ConfiningHullParameters {
 };
 
 /// A convex hull that confines without friction and without adhesion (Cuvelier et al. 2021,
-/// Appendix G, which prints no law). F_i = -k a_i d n with the node's rest area a_i, d the distance
-/// by which it is beyond the plane that it is farthest beyond, and n that plane's normal.
+/// Appendix G, which prints no law). F_i = -k a_i (x_i - y_i) with the node's rest area a_i and the
+/// point y_i of the hull that is nearest to it. The nodes that made the hull sit in its corners: a
+/// force along the normal of the farthest plane alone would jump there from plane to plane, and the
+/// cells would never come to rest.
 class ConfiningHull final : public ForceTerm {
   public:
     /// Throws Error unless k > 0.

@@ -27,7 +27,7 @@ class LoadedDoublet : public testing::Test {
                              .friction_nN_s_per_um = 25.4,
                              .start_um = Vec3(1.0, -0.5, top_um + 27.0),
                              .direction = Vec3(0.05, 0.0, -1.0).normalized(),
-                             .way_um = 0.5};
+                             .way_um = 3.0};
     }
     static SystemParts parts() {
         SystemParts parts = make_parts(case_a_values());
@@ -80,10 +80,11 @@ TEST_F(LoadedDoublet, IsSolvedLikeADenseSystemWithOneMoreUnknown) {
         // single precision of the elements, times what the long step amplifies
         EXPECT_NEAR(coupling.speed_um_per_s(), expected[n], 1e-3 * std::abs(expected[n]));
         EXPECT_LT((reference::flat(v) - expected.head(n)).norm(), 1e-3 * expected.head(n).norm());
-        // A loose tolerance costs digits and nothing else: no difference of large numbers.
+        // A loose tolerance costs digits of this speed, and is not multiplied by the stiffness of
+        // the contacts over the friction, dt G/zeta, which is some hundreds in the longest step.
         std::vector<Vec3> rough(b.size(), Vec3::Zero());
         ASSERT_TRUE(coupling.solve(system_, state_, dt_s, coefficient, b, rough, 1e-3).converged);
-        EXPECT_NEAR(coupling.speed_um_per_s(), expected[n], 0.1 * std::abs(expected[n]) + 1e-4);
+        EXPECT_NEAR(coupling.speed_um_per_s(), expected[n], 0.5 * std::abs(expected[n]));
     }
 }
 

@@ -142,12 +142,13 @@ TEST(Indentation, SceneThatCannotBeOneIsRefusedInItsLine) {
 }
 
 TEST(Indentation, PressesWithItsForceAndTheHullHoldsAgainstIt) {
-    Loading loading(std::vector<scene::Override>{{"stage[0].direction", "[0, 0, -1]"}});
+    Loading loading(std::vector<scene::Override>{{"stage[0].direction", "[0, 0, -1]"},
+                                                 {"stage[0].wall_stiffness", "1"}});
     loading.begin(loading.scene.stages[0]);
     const auto method = chosen_method(loading.scene).make(method_parameters(loading.scene));
     double last_way_um = 0.0;
-    while (loading.state.time_s < 6.0) {
-        ASSERT_TRUE(method->advance(loading.system, loading.state, 6.0, false).accepted);
+    while (loading.state.time_s < 60.0) {
+        ASSERT_TRUE(method->advance(loading.system, loading.state, 60.0, false).accepted);
         EXPECT_GE(loading.state.load.probe.way_um, last_way_um - 0.02);
         last_way_um = loading.state.load.probe.way_um;
     }
