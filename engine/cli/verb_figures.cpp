@@ -8,7 +8,6 @@
 #include "engine/cli/verb.hpp"
 #include "engine/store/run_file.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -104,9 +103,9 @@ ExitCode figures(const FiguresArguments& arguments, const reports::DrawPlot& dra
 
 Verb figures_verb(const reports::DrawPlot& draw) {
     return {"figures", "plots and CSVs of the paper's figures, from the file of a run",
-            [draw](CLI::App& command) -> VerbAction {
+            [draw](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<FiguresArguments>();
-                command.add_option("FILE", arguments->file, "HDF5 file of a run")->required();
+                command.argument("FILE", arguments->file, "HDF5 file of a run");
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::json, CommonOption::quiet});
                 return [arguments, draw](const Invocation& invocation) {

@@ -131,9 +131,9 @@ void add_network(Buffers& cells, const Buffers& network, double hidden_opacity) 
 void add_glass(Buffers& cells, const Buffers& glass, double opacity) {
     for (std::size_t pixel = 0; pixel < cells.depth.size(); ++pixel) {
         if (glass.depth[pixel] >= 1.0F || glass.depth[pixel] > cells.depth[pixel]) continue;
-        for (std::size_t k = 3 * pixel; k < 3 * pixel + 3; ++k)
-            cells.rgb[k] = static_cast<std::uint8_t>(
-                std::lround((1.0 - opacity) * cells.rgb[k] + opacity * glass.rgb[k]));
+        for (std::size_t k = 4 * pixel; k < 4 * pixel + 3; ++k)
+            cells.rgba[k] = static_cast<std::uint8_t>(
+                std::lround((1.0 - opacity) * cells.rgba[k] + opacity * glass.rgba[k]));
     }
 }
 

@@ -99,8 +99,7 @@ Squeezed on_mesh(int n_nodes, double half_height_um) {
         force_nN = sum_nN;
         if (is_at_rest) break;
     }
-    EXPECT_FALSE(system.evaluate(state.x_um, state.volume_integral_s, 0.0, System::Detail::forces,
-                                 state.load));
+    EXPECT_FALSE(system.evaluate(state.x_um, state.volume_integral_s, 0.0, state.load));
     return {system.parts().cytosol->pressure_kPa(system.configuration(), 0), force_nN};
 }
 
