@@ -19,6 +19,7 @@ if(SPHEROSCOPE_RENDER AND render_verbs)
   target_sources(spheroscope PRIVATE ${render_verbs})
   target_compile_definitions(spheroscope PRIVATE SPHEROSCOPE_HAS_RENDER)
   spheroscope_use_render(spheroscope)
+  target_link_libraries(spheroscope PRIVATE spheroscope_figures)
 endif()
 
 if(TARGET spheroscope_viewer)

@@ -6,17 +6,23 @@
 #include "render/plot.hpp"
 
 #include "engine/base/error.hpp"
+#include "render/colour_maps.hpp"
+#include "render/line_chart.hpp"
 #include "render/osmesa_context.hpp"
 #include "render/png.hpp"
 
 #include <vtkAxis.h>
+#include <vtkBrush.h>
 #include <vtkChartLegend.h>
 #include <vtkChartXY.h>
+#include <vtkContext2D.h>
 #include <vtkContextActor.h>
+#include <vtkContextItem.h>
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkGL2PSExporter.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkPlotLine.h>
 #include <vtkRenderWindow.h>
@@ -29,6 +35,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <system_error>
 
@@ -36,8 +43,9 @@ namespace spheroscope::render {
 namespace {
 
 constexpr int k_panel_width_px = 520, k_panel_height_px = 400;
-constexpr int k_panels_in_a_row = 3;
 constexpr int k_title_px = 50;
+constexpr int k_legend_row_px = 24, k_caption_row_px = 18;
+constexpr int k_colour_bar_px = 110;  // beside a map
 
 /// Okabe and Ito 2008: told apart with all kinds of colour vision.
 constexpr std::array<Rgb, 7> k_colours{{{0, 114, 178},
@@ -72,36 +80,52 @@ std::string power_of_ten(int exponent) {
     return text;
 }
 
-/// Ends of an axis, in what is drawn along it: the value or its log10.
+/// What one axis shows; in powers of ten where it is logarithmic.
 struct AxisRange {
     double low = 1.0, high = -1.0;
+    bool is_logarithmic;
 
-    void include(const std::vector<double>& values) {
-        for (const double value : values) {
-            if (low > high) low = high = value;
-            low = std::min(low, value);
-            high = std::max(high, value);
-        }
+    explicit AxisRange(const reports::Plot::Axis& axis)
+        : is_logarithmic(axis.is_logarithmic && axis.categories.empty()) {
+        if (axis.categories.empty()) return;
+        low = -0.5;
+        high = static_cast<double>(axis.categories.size()) - 0.5;
     }
-    /// Some space around the points, but none below zero where all are above it.
-    void widen_linear() {
-        const double space = high > low ? 0.06 * (high - low) : 1.0;
-        low = low >= 0.0 && low < 0.5 * high ? 0.0 : low - space;
-        high += space;
+
+    [[nodiscard]] double place(double value) const {
+        return is_logarithmic ? std::log10(value) : value;
     }
-    /// At least one whole decade inside, and some space around the points.
-    void widen_logarithmic() {
-        low -= 0.15;
-        high += 0.15;
-        if (std::floor(high) < std::ceil(low) + 1.0) {
-            const double middle = std::round(0.5 * (low + high));
-            low = std::min(low, middle - 0.55);
-            high = std::max(high, middle + 0.55);
+    void include(double value) {
+        if (!std::isfinite(value) || (is_logarithmic && value <= 0.0)) return;
+        if (low > high) low = high = place(value);
+        low = std::min(low, place(value));
+        high = std::max(high, place(value));
+    }
+    /// Some space around the points, but none below zero where all are above it; of a logarithmic
+    /// axis at least one whole decade.
+    void widen() {
+        if (low > high) {
+            low = 0.0;
+            high = 1.0;
         }
+        if (is_logarithmic) {
+            low -= 0.15;
+            high += 0.15;
+            if (std::floor(high) < std::ceil(low) + 1.0) {
+                const double middle = std::round(0.5 * (low + high));
+                low = std::min(low, middle - 0.55);
+                high = std::max(high, middle + 0.55);
+            }
+            return;
+        }
+        const double width = high > low ? high - low : std::max(1e-3, 0.2 * std::abs(high));
+        low = low >= 0.0 && low < 0.5 * high ? 0.0 : low - 0.06 * width;
+        high += 0.06 * width;
     }
 };
 
-void set_axis(vtkAxis* axis, const std::string& title, const AxisRange& range) {
+void set_axis(vtkAxis* axis, const std::string& title, const AxisRange& range,
+              const std::vector<std::string>& categories) {
     axis->SetBehavior(vtkAxis::FIXED);
     axis->SetRange(range.low, range.high);
     axis->SetTitle(title);
@@ -109,19 +133,172 @@ void set_axis(vtkAxis* axis, const std::string& title, const AxisRange& range) {
     set_font(axis->GetLabelProperties(), 14);
     axis->SetGridVisible(true);
     axis->GetGridPen()->SetColor(225, 227, 230);
-}
-
-void set_decades(vtkAxis* axis, const AxisRange& range) {
-    const int first = static_cast<int>(std::ceil(range.low));
-    const int last = static_cast<int>(std::floor(range.high));
-    const int step = std::max(1, (last - first) / 5);
     vtkNew<vtkDoubleArray> places;
     vtkNew<vtkStringArray> labels;
-    for (int exponent = first; exponent <= last; exponent += step) {
-        places->InsertNextValue(exponent);
-        labels->InsertNextValue(power_of_ten(exponent));
+    const auto add = [&](double place, const std::string& label) {
+        places->InsertNextValue(place);
+        labels->InsertNextValue(label);
+    };
+    if (!categories.empty()) {
+        for (std::size_t i = 0; i < categories.size(); ++i)
+            add(static_cast<double>(i), categories[i]);
+    } else if (range.is_logarithmic) {
+        const int first = static_cast<int>(std::ceil(range.low));
+        const int last = static_cast<int>(std::floor(range.high));
+        const int step = std::max(1, (last - first) / 5);
+        for (int exponent = first; exponent <= last; exponent += step)
+            add(exponent, power_of_ten(exponent));
+    } else {
+        const double step = tick_step(range.high - range.low, 5);
+        for (double i = std::ceil(range.low / step); i * step <= range.high; ++i)
+            add(i * step, tick_label(i * step, step));
     }
     axis->SetCustomTickPositions(places, labels);
+}
+
+/// Paints in the pixels of the scene (origin at the bottom left), before or after a chart.
+class Overlay : public vtkContextItem {
+  public:
+    static Overlay* New();
+    bool Paint(vtkContext2D* painter) override {
+        if (paint) paint(*painter);
+        return true;
+    }
+    std::function<void(vtkContext2D&)> paint;
+};
+vtkStandardNewMacro(Overlay);
+
+void use_brush(vtkContext2D& painter, Rgb colour) {
+    painter.GetPen()->SetLineType(vtkPen::NO_PEN);
+    painter.GetBrush()->SetColor(colour.r, colour.g, colour.b, 255);
+}
+void use_pen(vtkContext2D& painter, Rgb colour, float width) {
+    painter.GetPen()->SetLineType(vtkPen::SOLID_LINE);
+    painter.GetPen()->SetColor(colour.r, colour.g, colour.b, 255);
+    painter.GetPen()->SetWidth(width);
+}
+void write(vtkContext2D& painter, double x, double y, const std::string& text, int size, Rgb colour,
+           bool is_centred) {
+    vtkNew<vtkTextProperty> style;
+    set_font(style, size);
+    style->SetColor(colour.r / 255.0, colour.g / 255.0, colour.b / 255.0);
+    if (is_centred)
+        style->SetJustificationToCentered();
+    else
+        style->SetJustificationToLeft();
+    style->SetVerticalJustificationToCentered();
+    painter.ApplyTextProp(style);
+    painter.DrawString(static_cast<float>(x), static_cast<float>(y), text);
+}
+void fill(vtkContext2D& painter, double x0, double y0, double x1, double y1) {
+    painter.DrawRect(static_cast<float>(x0), static_cast<float>(y0), static_cast<float>(x1 - x0),
+                     static_cast<float>(y1 - y0));
+}
+
+constexpr Rgb k_dark{38, 40, 44}, k_band{255, 236, 200}, k_band_ink{150, 95, 0};
+
+/// Where the values of a panel are in the scene. A chart knows after it was drawn once.
+struct PlotArea {
+    vtkChartXY* chart;
+    AxisRange x_range, y_range;
+
+    [[nodiscard]] double x(double value) const {
+        return along(x_range, value, chart->GetPoint1()[0], chart->GetPoint2()[0]);
+    }
+    [[nodiscard]] double y(double value) const {
+        return along(y_range, value, chart->GetPoint1()[1], chart->GetPoint2()[1]);
+    }
+    [[nodiscard]] double left() const { return chart->GetPoint1()[0]; }
+    [[nodiscard]] double right() const { return chart->GetPoint2()[0]; }
+    [[nodiscard]] double top() const { return chart->GetPoint2()[1]; }
+    [[nodiscard]] double bottom() const { return chart->GetPoint1()[1]; }
+
+  private:
+    /// Ends of the axis for what is beyond them.
+    static double along(const AxisRange& range, double value, int low_px, int high_px) {
+        const bool is_below = range.is_logarithmic && value <= 0.0;
+        const double share =
+            is_below ? 0.0 : (range.place(value) - range.low) / (range.high - range.low);
+        return low_px + std::clamp(share, 0.0, 1.0) * (high_px - low_px);
+    }
+};
+
+void paint_bands(vtkContext2D& painter, const PlotArea& area,
+                 const std::vector<reports::Plot::Band>& bands) {
+    for (const reports::Plot::Band& band : bands) {
+        use_brush(painter, band.low == band.high ? k_band_ink : k_band);
+        const double low = area.y(band.low), high = area.y(band.high);
+        fill(painter, area.left(), low - (band.low == band.high ? 0.75 : 0.0), area.right(),
+             high + (band.low == band.high ? 0.75 : 0.0));
+    }
+}
+
+void paint_band_names(vtkContext2D& painter, const PlotArea& area,
+                      const std::vector<reports::Plot::Band>& bands) {
+    for (const reports::Plot::Band& band : bands) {
+        const double above = area.y(band.high) + 10.0;
+        write(painter, area.left() + 8.0,
+              above + 8.0 < area.top() ? above : area.y(band.low) - 10.0, band.name, 12, k_band_ink,
+              false);
+    }
+}
+
+void paint_error_bars(vtkContext2D& painter, const PlotArea& area,
+                      const reports::Plot::Series& series, Rgb colour) {
+    use_pen(painter, colour, 1.4F);
+    for (std::size_t i = 0; i < series.error.size(); ++i) {
+        if (!std::isfinite(series.error[i])) continue;
+        const auto x = static_cast<float>(area.x(series.x[i]));
+        const auto low = static_cast<float>(area.y(series.y[i] - series.error[i]));
+        const auto high = static_cast<float>(area.y(series.y[i] + series.error[i]));
+        painter.DrawLine(x, low, x, high);
+        painter.DrawLine(x - 4.0F, low, x + 4.0F, low);
+        painter.DrawLine(x - 4.0F, high, x + 4.0F, high);
+    }
+}
+
+Rgb colour_of(const reports::Plot::Map& map, double value) {
+    const ColourMap& colours = map.is_signed ? ColourMap::diverging() : ColourMap::sequential();
+    const double share = (value - map.low) / (map.high - map.low);
+    if (share < -1e-9) return colours.below();
+    if (share > 1.0 + 1e-9) return colours.above();
+    return colours.at(std::clamp(share, 0.0, 1.0));
+}
+
+void paint_map(vtkContext2D& painter, const PlotArea& area, const reports::Plot::Map& map) {
+    const std::size_t n = map.x_labels.size();
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+        const auto column = static_cast<double>(i % n), row = static_cast<double>(i / n);
+        const double x0 = area.x(column - 0.5), x1 = area.x(column + 0.5);
+        const double y0 = area.y(row - 0.5), y1 = area.y(row + 0.5);
+        const bool is_missing = std::isnan(map.values[i].value);
+        const Rgb colour = is_missing ? Rgb{236, 237, 239} : colour_of(map, map.values[i].value);
+        use_brush(painter, colour);
+        fill(painter, x0 + 1.0, y0 + 1.0, x1 - 1.0, y1 - 1.0);
+        const Rgb ink = to_oklab(colour).lightness > 0.62 ? k_dark : Rgb{255, 255, 255};
+        const double middle = 0.5 * (y0 + y1);
+        write(painter, 0.5 * (x0 + x1), is_missing ? middle : middle + 7.0,
+              is_missing ? "missing" : map.values[i].text, 12,
+              is_missing ? Rgb{120, 124, 130} : ink, true);
+        if (!map.values[i].mark.empty())
+            write(painter, 0.5 * (x0 + x1), middle - 9.0, map.values[i].mark, 11,
+                  is_missing ? Rgb{120, 124, 130} : ink, true);
+    }
+}
+
+void paint_colour_bar(vtkContext2D& painter, const PlotArea& area, const reports::Plot::Map& map) {
+    const double x0 = area.right() + 18.0, x1 = x0 + 16.0;
+    const double y0 = area.bottom(), y1 = area.top();
+    constexpr int n = 64;
+    for (int i = 0; i < n; ++i) {
+        use_brush(painter, colour_of(map, map.low + (map.high - map.low) * (i + 0.5) / n));
+        fill(painter, x0, y0 + (y1 - y0) * i / n, x1, y0 + (y1 - y0) * (i + 1) / n + 0.5);
+    }
+    const double step = tick_step(map.high - map.low, 5);
+    for (double i = std::ceil(map.low / step - 1e-9); i * step <= map.high + 1e-9 * step; ++i)
+        write(painter, x1 + 6.0, y0 + (y1 - y0) * (i * step - map.low) / (map.high - map.low),
+              tick_label(i * step, step), 13, k_dark, false);
+    write(painter, x0 - 4.0, y1 + 16.0, map.title, 13, k_dark, false);
 }
 
 /// The colour and marker of a name, the same in all panels.
@@ -130,67 +307,126 @@ class Styles {
     explicit Styles(const reports::Plot& plot) {
         for (const reports::Plot::Panel& panel : plot.panels)
             for (const reports::Plot::Series& series : panel.series)
-                numbers_.emplace(series.name, numbers_.size());
+                if (series.colour_of.empty() &&
+                    numbers_.emplace(series.name, numbers_.size()).second)
+                    names_.push_back(series.name);
     }
-    void apply(const std::string& name, vtkPlotLine* line) const {
-        const std::size_t number = numbers_.at(name);
-        const Rgb colour = k_colours[number % k_colours.size()];
-        line->SetColor(colour.r, colour.g, colour.b, 255);
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+    [[nodiscard]] Rgb colour(const std::string& name) const {
+        return k_colours[numbers_.at(name) % k_colours.size()];
+    }
+    [[nodiscard]] Rgb colour(const reports::Plot::Series& series) const {
+        return colour(series.colour_of.empty() ? series.name : series.colour_of);
+    }
+    void apply(const reports::Plot::Series& series, vtkPlotLine* line) const {
+        const Rgb c = colour(series);
+        line->SetColor(c.r, c.g, c.b, 255);
         line->SetWidth(2.0F);
-        line->SetMarkerStyle(k_markers[number % k_markers.size()]);
+        line->GetPen()->SetLineType(series.line == reports::Plot::Line::full ? vtkPen::SOLID_LINE
+                                    : series.line == reports::Plot::Line::dashed ? vtkPen::DASH_LINE
+                                                                                 : vtkPen::NO_PEN);
+        line->SetMarkerStyle(series.has_marks && series.colour_of.empty()
+                                 ? k_markers[numbers_.at(series.name) % k_markers.size()]
+                                 : static_cast<int>(vtkPlotPoints::NONE));
         line->SetMarkerSize(9.0F);
-        line->SetLabel(name);
+        line->SetLabel(series.name);
+        line->SetLegendVisibility(series.colour_of.empty());
     }
 
   private:
     std::map<std::string, std::size_t> numbers_;
+    std::vector<std::string> names_;
 };
 
-/// One chart in its rectangle of the scene (origin at the bottom left, px).
-vtkNew<vtkChartXY> make_chart(const reports::Plot::Panel& panel, const Styles& styles,
-                              const vtkRectf& place) {
-    vtkNew<vtkChartXY> chart;
-    chart->SetAutoSize(false);
-    chart->SetSize(place);
-    chart->SetTitle(panel.title);
-    set_font(chart->GetTitleProperties(), 18, SPHEROSCOPE_FONT_BOLD);
-    const bool is_logarithmic = panel.axes == reports::Plot::Axes::logarithmic;
-    const auto drawn = [&](std::vector<double> values) {
-        if (is_logarithmic)
-            for (double& value : values) value = std::log10(value);
-        return values;
-    };
-    AxisRange x_range, y_range;
+PlotArea area_of(const reports::Plot::Panel& panel, vtkChartXY* chart) {
+    reports::Plot::Axis x_axis = panel.x_axis, y_axis = panel.y_axis;
+    if (panel.map) {
+        x_axis.categories = panel.map->x_labels;
+        y_axis.categories = panel.map->y_labels;
+    }
+    PlotArea area{chart, AxisRange(x_axis), AxisRange(y_axis)};
+    for (const reports::Plot::Series& series : panel.series)
+        for (std::size_t i = 0; i < series.x.size(); ++i) {
+            area.x_range.include(series.x[i]);
+            area.y_range.include(series.y[i]);
+            if (i < series.error.size() && std::isfinite(series.error[i])) {
+                area.y_range.include(series.y[i] - series.error[i]);
+                area.y_range.include(series.y[i] + series.error[i]);
+            }
+        }
+    for (const reports::Plot::Band& band : panel.bands) {
+        area.y_range.include(band.low);
+        area.y_range.include(band.high);
+    }
+    if (x_axis.categories.empty()) area.x_range.widen();
+    if (y_axis.categories.empty()) area.y_range.widen();
+    set_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x_title, area.x_range, x_axis.categories);
+    set_axis(chart->GetAxis(vtkAxis::LEFT), panel.y_title, area.y_range, y_axis.categories);
+    return area;
+}
+
+void add_lines(const reports::Plot::Panel& panel, const Styles& styles, const PlotArea& area) {
     for (const reports::Plot::Series& series : panel.series) {
         if (series.x.empty()) continue;
-        const std::vector<double> xs = drawn(series.x), ys = drawn(series.y);
-        x_range.include(xs);
-        y_range.include(ys);
         vtkNew<vtkTable> table;
         vtkNew<vtkDoubleArray> x, y;
         x->SetName("x");
         y->SetName(series.name.c_str());
         for (std::size_t i = 0; i < series.x.size(); ++i) {
-            x->InsertNextValue(xs[i]);
-            y->InsertNextValue(ys[i]);
+            x->InsertNextValue(area.x_range.place(series.x[i]));
+            y->InsertNextValue(area.y_range.place(series.y[i]));
         }
         table->AddColumn(x);
         table->AddColumn(y);
-        auto* const line = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+        auto* const line = vtkPlotLine::SafeDownCast(area.chart->AddPlot(vtkChart::LINE));
         line->SetInputData(table, 0, 1);
-        styles.apply(series.name, line);
+        styles.apply(series, line);
     }
-    for (AxisRange* range : {&x_range, &y_range})
-        is_logarithmic ? range->widen_logarithmic() : range->widen_linear();
-    vtkAxis* const bottom = chart->GetAxis(vtkAxis::BOTTOM);
-    vtkAxis* const left = chart->GetAxis(vtkAxis::LEFT);
-    set_axis(bottom, panel.x_title, x_range);
-    set_axis(left, panel.y_title, y_range);
-    if (is_logarithmic) {
-        set_decades(bottom, x_range);
-        set_decades(left, y_range);
-    }
+}
+
+/// Adds one panel in its rectangle of the scene (origin at the bottom left, px) and returns its
+/// chart.
+vtkChartXY* add_panel(vtkContextScene* scene, const reports::Plot::Panel& panel,
+                      const Styles& styles, vtkRectf place) {
+    if (panel.map) place.SetWidth(place.GetWidth() - k_colour_bar_px);
+    vtkNew<Overlay> below, above;
+    vtkNew<vtkChartXY> chart;
+    chart->SetAutoSize(false);
+    chart->SetSize(place);
+    chart->SetTitle(panel.title);
+    set_font(chart->GetTitleProperties(), 18, SPHEROSCOPE_FONT_BOLD);
+    const PlotArea area = area_of(panel, chart);
+    add_lines(panel, styles, area);
+    below->paint = [area, &panel](vtkContext2D& painter) {
+        paint_bands(painter, area, panel.bands);
+    };
+    above->paint = [area, &panel, &styles](vtkContext2D& painter) {
+        paint_band_names(painter, area, panel.bands);
+        for (const reports::Plot::Series& series : panel.series)
+            paint_error_bars(painter, area, series, styles.colour(series));
+        if (panel.map) {
+            paint_map(painter, area, *panel.map);
+            paint_colour_bar(painter, area, *panel.map);
+        }
+    };
+    scene->AddItem(below);
+    scene->AddItem(chart);
+    scene->AddItem(above);
     return chart;
+}
+
+/// The names of all series in rows of `n_columns` from y downward.
+void paint_legend(vtkContext2D& painter, const Styles& styles, int width, double y, int n_columns) {
+    const double column_px = static_cast<double>(width - 40) / n_columns;
+    for (std::size_t i = 0; i < styles.names().size(); ++i) {
+        const std::string& name = styles.names()[i];
+        const auto column = static_cast<int>(i) % n_columns, row = static_cast<int>(i) / n_columns;
+        const double x = 20.0 + column * column_px;
+        const double middle = y - (row + 0.5) * k_legend_row_px;
+        use_brush(painter, styles.colour(name));
+        fill(painter, x, middle - 5.0, x + 22.0, middle + 5.0);
+        write(painter, x + 30.0, middle, name, 14, k_dark, false);
+    }
 }
 
 void write_svg(vtkRenderWindow* window, vtkRenderer* renderer, const std::filesystem::path& path) {
@@ -227,35 +463,54 @@ Image image_of(const Buffers& buffers) {
 }  // namespace
 
 void draw_plot(const reports::Plot& plot, const std::filesystem::path& png,
-               const std::filesystem::path& svg) {
+               const std::filesystem::path& svg, const PngTexts& texts) {
     const int n_panels = static_cast<int>(plot.panels.size());
     if (n_panels == 0) throw Error("a plot wants at least one panel, got none");
-    const int n_columns = std::min(n_panels, k_panels_in_a_row);
+    const int n_columns = std::min(n_panels, plot.columns);
     const int n_rows = (n_panels + n_columns - 1) / n_columns;
-    const int width = n_columns * k_panel_width_px;
-    const int height = n_rows * k_panel_height_px + k_title_px;
     const Styles styles(plot);
+    const int width = n_columns * k_panel_width_px;
+    const int n_names = static_cast<int>(styles.names().size());
+    const int n_legend_columns = std::max(1, width / 300);
+    const int legend_px =
+        plot.legend_above ? (n_names + n_legend_columns - 1) / n_legend_columns * k_legend_row_px
+                          : 0;
+    const int caption_px =
+        plot.caption.empty() ? 0 : static_cast<int>(plot.caption.size()) * k_caption_row_px + 14;
+    const int height = n_rows * k_panel_height_px + k_title_px + legend_px + caption_px;
 
     OsmesaContext context(width, height);
     Buffers buffers;
     context.lend([&](vtkRenderWindow* window, vtkRenderer* renderer) {
         vtkNew<vtkContextActor> actor;
         actor->GetScene()->SetRenderer(renderer);
+        vtkChartXY* first = nullptr;
         for (int p = 0; p < n_panels; ++p) {
             const vtkRectf place(
                 static_cast<float>((p % n_columns) * k_panel_width_px),
-                static_cast<float>((n_rows - 1 - p / n_columns) * k_panel_height_px),
+                static_cast<float>(caption_px + (n_rows - 1 - p / n_columns) * k_panel_height_px),
                 static_cast<float>(k_panel_width_px - 12),
                 static_cast<float>(k_panel_height_px - 14));
-            actor->GetScene()->AddItem(
-                make_chart(plot.panels[static_cast<std::size_t>(p)], styles, place));
+            vtkChartXY* const chart = add_panel(
+                actor->GetScene(), plot.panels[static_cast<std::size_t>(p)], styles, place);
+            if (first == nullptr) first = chart;
         }
         // Colours mean the same in all panels: one legend, in the panel where there is room.
-        auto* const first = vtkChartXY::SafeDownCast(actor->GetScene()->GetItem(0));
-        first->SetShowLegend(true);
-        set_font(first->GetLegend()->GetLabelProperties(), 14);
-        first->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
-        first->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+        if (!plot.legend_above) {
+            first->SetShowLegend(true);
+            set_font(first->GetLegend()->GetLabelProperties(), 14);
+            first->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+            first->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+        }
+        vtkNew<Overlay> around;
+        around->paint = [&](vtkContext2D& painter) {
+            if (plot.legend_above)
+                paint_legend(painter, styles, width, height - k_title_px, n_legend_columns);
+            for (std::size_t i = 0; i < plot.caption.size(); ++i)
+                write(painter, 20.0, caption_px - (static_cast<double>(i) + 0.5) * k_caption_row_px,
+                      plot.caption[i], 12, {90, 94, 102}, false);
+        };
+        actor->GetScene()->AddItem(around);
         vtkNew<vtkTextActor> title;
         title->SetInput(plot.title.c_str());
         title->SetPosition(0.5 * width, height - 0.5 * k_title_px);
@@ -273,7 +528,7 @@ void draw_plot(const reports::Plot& plot, const std::filesystem::path& png,
         title->ReleaseGraphicsResources(window);
         actor->ReleaseGraphicsResources(window);
     });
-    write_png(png, image_of(buffers));
+    write_png(png, image_of(buffers), texts);
 }
 
 }  // namespace spheroscope::render

@@ -5,7 +5,7 @@
 namespace spheroscope {
 
 std::vector<cli::Verb> render_verbs() {
-    return {movie_verb(), render_verb(), diff_verb(), export_verb()};
+    return {movie_verb(), render_verb(), diff_verb(), export_verb(), figures_verb()};
 }
 
 reports::DrawPlot plot_drawer() {

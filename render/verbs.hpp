@@ -17,5 +17,6 @@ namespace spheroscope {
 [[nodiscard]] cli::Verb render_verb();
 [[nodiscard]] cli::Verb diff_verb();
 [[nodiscard]] cli::Verb export_verb();
+[[nodiscard]] cli::Verb figures_verb();
 
 }  // namespace spheroscope

@@ -36,7 +36,6 @@ struct Verb {
 // One file verb_<name>.cpp each.
 [[nodiscard]] Verb bench_verb();
 [[nodiscard]] Verb check_verb();
-[[nodiscard]] Verb figures_verb(const reports::DrawPlot& draw);
 [[nodiscard]] Verb info_verb();
 [[nodiscard]] Verb precision_verb(const reports::DrawPlot& draw);
 [[nodiscard]] Verb run_verb();

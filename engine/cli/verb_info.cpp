@@ -2,22 +2,28 @@
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/options.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/report_output.hpp"
+#include "engine/cli/seed_means_text.hpp"
 #include "engine/cli/totals_text.hpp"
 #include "engine/cli/verb.hpp"
+#include "engine/statistics/setup.hpp"
 #include "engine/store/run_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace spheroscope::cli {
 namespace {
 
 struct InfoArguments {
-    std::string file;
+    std::vector<std::string> files;
     CommonOptions common;
 };
 
@@ -73,8 +79,8 @@ std::string describe_in_words(const RunFileReader& reader, const SnapshotPtr& la
     return text + totals_text(last->totals) + accuracy_text(reader.end().errors);
 }
 
-ExitCode info(const InfoArguments& arguments) {
-    const RunFileReader reader(arguments.file);
+ExitCode info_of_one(const InfoArguments& arguments) {
+    const RunFileReader reader(arguments.files.front());
     const SnapshotPtr last =
         reader.n_frames() > 0 ? reader.frame(reader.n_frames() - 1) : SnapshotPtr();
     if (arguments.common.json)
@@ -84,12 +90,86 @@ ExitCode info(const InfoArguments& arguments) {
     return ExitCode::ok;
 }
 
+/// Runs of one setup: the same scene but for the seed.
+struct Replicates {
+    statistics::Setup setup;
+    std::vector<std::string> files{}, outcomes{};
+    std::vector<std::uint64_t> seeds{};
+    std::vector<Totals> totals{};
+
+    [[nodiscard]] bool has_seed(std::uint64_t seed) const {
+        return std::find(seeds.begin(), seeds.end(), seed) != seeds.end();
+    }
+};
+
+std::vector<Replicates> read_replicates(const std::vector<std::string>& files) {
+    std::vector<Replicates> all;
+    for (const std::string& file : files) {
+        const RunFileReader reader(file);
+        if (reader.n_frames() == 0)
+            throw Error(file + ": the run has no frames yet", "leave it out of the means");
+        const statistics::Setup setup = statistics::setup_of(*reader.header());
+        auto at = std::find_if(all.begin(), all.end(), [&](const Replicates& r) {
+            return r.setup.scene_without_seed == setup.scene_without_seed;
+        });
+        if (at == all.end()) at = all.insert(all.end(), Replicates{.setup = setup});
+        if (at->has_seed(reader.header()->seed))
+            throw Error(fmt::format("{}: seed {} of this scene is there twice", file,
+                                    reader.header()->seed),
+                        "means are over different seeds");
+        at->files.push_back(file);
+        at->seeds.push_back(reader.header()->seed);
+        at->outcomes.push_back(reader.outcome().empty() ? "not ended" : reader.outcome());
+        at->totals.push_back(reader.frame(reader.n_frames() - 1)->totals);
+    }
+    return all;
+}
+
+/// Means over seeds, setup by setup.
+ExitCode info_of_several(const InfoArguments& arguments) {
+    nlohmann::json document = nlohmann::json::array();
+    std::string text;
+    for (const Replicates& replicates : read_replicates(arguments.files)) {
+        document.push_back({{"title", replicates.setup.title},
+                            {"gamma_over_omega", number_or_null(replicates.setup.gamma_over_omega)},
+                            {"Et_over_omega", number_or_null(replicates.setup.Et_over_omega)},
+                            {"cells", replicates.setup.n_cells},
+                            {"nodes_per_cell", replicates.setup.n_nodes},
+                            {"files", replicates.files},
+                            {"seeds", replicates.seeds},
+                            {"outcomes", replicates.outcomes},
+                            {"totals", seed_means_json(replicates.totals)}});
+        text += fmt::format("{}{}\ngamma/omega          {}\nEt/omega             {}\n"
+                            "cells                {} of {} nodes\n",
+                            text.empty() ? "" : "\n", replicates.setup.title,
+                            statistics::ratio_text(replicates.setup.gamma_over_omega),
+                            statistics::ratio_text(replicates.setup.Et_over_omega),
+                            replicates.setup.n_cells, replicates.setup.n_nodes);
+        for (std::size_t i = 0; i < replicates.files.size(); ++i)
+            text += fmt::format("seed {:<15} {}, {}\n", replicates.seeds[i], replicates.outcomes[i],
+                                replicates.files[i]);
+        text += seed_means_text(replicates.totals);
+    }
+    if (arguments.common.json)
+        print_json({{"setups", document}});
+    else
+        fmt::print("{}", text);
+    return ExitCode::ok;
+}
+
+ExitCode info(const InfoArguments& arguments) {
+    if (arguments.files.empty()) throw Error("FILE is required", "info out/first_light/run.h5");
+    return arguments.files.size() == 1 ? info_of_one(arguments) : info_of_several(arguments);
+}
+
 }  // namespace
 
 Verb info_verb() {
-    return {"info", "says what is in the file of a run", [](CommandLine& command) -> VerbAction {
+    return {"info", "says what is in the file of a run; of several, the means over seeds",
+            [](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<InfoArguments>();
-                command.argument("FILE", arguments->file, "HDF5 file of a run");
+                command.optional_arguments("FILE", arguments->files,
+                                           "HDF5 file of a run, or of several");
                 add_common_options(command, arguments->common, {CommonOption::json});
                 return [arguments](const Invocation&) { return info(*arguments); };
             }};

@@ -1,4 +1,6 @@
 #include "engine/cli/json_output.hpp"
+#include "engine/cli/run_seeds.hpp"
+#include "engine/cli/seeds.hpp"
 #include "engine/cli/simulate.hpp"
 #include "engine/cli/verb.hpp"
 #include "engine/store/run_file.hpp"
@@ -16,6 +18,7 @@ namespace {
 
 struct RunArguments {
     std::string scene;
+    std::string seeds;  ///< as given, "1..5"; empty: one run
     bool overwrite = false;
     CommonOptions common;
 };
@@ -26,10 +29,14 @@ struct Task {
     std::vector<Change> changes;
 };
 
+bool is_run_file(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".h5";
+}
+
 /// A run is repeated from what its file holds: the resolved scene and the changes.
 Task task_of(const RunArguments& arguments) {
     const CommonOptions& common = arguments.common;
-    if (std::filesystem::path(arguments.scene).extension() != ".h5")
+    if (!is_run_file(arguments.scene))
         return {scene::load_scene(arguments.scene, common.overrides()), {}};
     if (common.output.empty())
         throw Error(arguments.scene + ": a run that is repeated needs another place",
@@ -41,6 +48,15 @@ Task task_of(const RunArguments& arguments) {
 }
 
 ExitCode run(const RunArguments& arguments, const Invocation& invocation) {
+    if (!arguments.seeds.empty()) {
+        if (arguments.common.seed)
+            throw Error("--seed and --seeds exclude each other", "--seeds 7 makes one run as well");
+        if (is_run_file(arguments.scene))
+            throw Error(arguments.scene + ": --seeds wants a scene, got the file of a run",
+                        "a run is repeated with its own seed");
+        return run_seeds(arguments.scene, parse_seeds(arguments.seeds), arguments.common,
+                         arguments.overwrite, invocation);
+    }
     const auto [scene, changes] = task_of(arguments);
     for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
     const RunPlace place = run_place(arguments.scene, arguments.common);
@@ -65,6 +81,10 @@ Verb run_verb() {
                                  "scene file, or HDF5 file of a run");
                 command.flag("--overwrite", arguments->overwrite,
                              "begin anew where an unfinished run is");
+                command.option("--seeds", arguments->seeds,
+                               "one run after the other with these seeds, 1..5 or 1,4,7, each in "
+                               "a folder of its own",
+                               {.type = "SEEDS"});
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::threads, CommonOption::simd,
                                     CommonOption::seed, CommonOption::set, CommonOption::json,

@@ -130,8 +130,8 @@ struct BodyForce {
     bool opposed = false;  ///< cell 0 gets +force, cell 1 gets -force
 };
 
-/// Forces that `cells.file` holds for the nodes of its cells, constant in time, and the integrals of
-/// their volume controllers at the start.
+/// Forces that `cells.file` holds for the nodes of its cells, constant in time, and the integrals
+/// of their volume controllers at the start.
 struct Held {
     Loc loc;
 };

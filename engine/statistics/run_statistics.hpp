@@ -13,6 +13,11 @@
 
 namespace spheroscope::statistics {
 
+/// One frame of a stage that presses with a bead.
+struct LoadPoint {
+    double time_s, way_um, probe_nN, hull_nN, imbalance;
+};
+
 /// The state in which one run ended: everything that the figures need of one seed.
 struct RunStatistics {
     std::string file;
@@ -34,15 +39,16 @@ struct RunStatistics {
     std::vector<CellStress> equal_kPa, area_kPa;  ///< [cells] both weightings
     std::vector<PairForce> pairs;
     double touching_area_um2 = 0.1;
+    std::vector<LoadPoint> load;  ///< frame by frame; whoever reads the file fills it in
 
     [[nodiscard]] double coordination_at(double threshold_um2) const;
     /// Mean over the cells of one number of their stress, kPa; NaN where no cell touches another.
     [[nodiscard]] double mean_stress_kPa(const CellStressRow& row, Weighting weighting) const;
 };
 
-/// Measures one frame of a run: some tenths of a second; `file` is left empty. Throws Error when
-/// there is no mechanics in it (no contacts in the scene, beads that are being packed), or it
-/// cannot be evaluated.
+/// Measures one frame of a run: some tenths of a second; `file`, `outcome` and `load` are left
+/// empty. Throws Error when there is no mechanics in it (no contacts in the scene, beads that are
+/// being packed), or it cannot be evaluated.
 [[nodiscard]] RunStatistics measure_run(const SnapshotPtr& frame);
 
 /// Replicates: runs of one setup, ascending by seed.

@@ -1,0 +1,51 @@
+// Appendix G: forces of bead and hull on the cells over the bead's way, run by run.
+#include "render/figures/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <tuple>
+
+namespace spheroscope::figures {
+
+Figure force_displacement(Setups setups) {
+    Figure figure;
+    figure.table = empty_table();
+    reports::Plot::Panel panel{"force of the bead; dashed: of the hull", "way of the bead (µm)",
+                               "force (nN)"};
+    panel.x_axis.is_logarithmic = panel.y_axis.is_logarithmic = false;
+    for (const statistics::SetupStatistics& setup : setups)
+        for (const statistics::RunStatistics& run : setup.runs) {
+            if (run.load.empty()) {
+                figure.missing.push_back(run.file + ": it has no frames of a stage of kind indent");
+                continue;
+            }
+            const std::string name = fmt::format("{}, seed {}", setup.label, run.seed);
+            reports::Plot::Series bead{name, {}, {}}, hull{name + ", hull", {}, {}};
+            hull.line = reports::Plot::Line::dashed;
+            hull.has_marks = false;
+            hull.colour_of = name;
+            for (const statistics::LoadPoint& point : run.load) {
+                for (const auto& [series, force_nN, quantity] :
+                     {std::tuple{&bead, point.probe_nN, "probe_force"},
+                      std::tuple{&hull, point.hull_nN, "hull_force"}}) {
+                    series->x.push_back(point.way_um);
+                    series->y.push_back(force_nN);
+                    add_row(figure.table, setup,
+                            {fmt::format("seed {}", run.seed), quantity, "nN", "way_um",
+                             fmt::format("{:.6g}", point.way_um)},
+                            {force_nN, std::numeric_limits<double>::quiet_NaN(), 1},
+                            std::numeric_limits<double>::quiet_NaN(), 0);
+                }
+            }
+            panel.series.push_back(std::move(bead));
+            panel.series.push_back(std::move(hull));
+        }
+    if (panel.series.empty()) return figure;
+    figure.plot.panels.push_back(std::move(panel));
+    finish(figure, setups, "Loading: force against displacement");
+    figure.plot.columns = 1;
+    return figure;
+}
+
+}  // namespace spheroscope::figures

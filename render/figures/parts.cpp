@@ -1,0 +1,137 @@
+#include "render/figures/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace spheroscope::figures {
+namespace {
+
+reports::TableCell cell_of(double value) {
+    if (!std::isfinite(value)) return reports::Missing{"-"};
+    return value;
+}
+
+constexpr double k_undefined = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+reports::ReportTable empty_table() {
+    reports::ReportTable table;
+    table.columns = {{"panel"},          {"quantity"}, {"unit"},  {"gamma_over_omega"},
+                     {"Et_over_omega"},  {"N"},        {"nodes"}, {"law"},
+                     {"omega_reading"},  {"x_name"},   {"x"},     {"mean"},
+                     {"standard_error"}, {"spread"},   {"seeds"}, {"n"}};
+    return table;
+}
+
+void add_row(reports::ReportTable& table, const statistics::SetupStatistics& setup,
+             const Place& place, const statistics::Estimate& value, double spread, int n) {
+    const statistics::Setup& s = setup.setup();
+    table.rows.push_back(
+        {place.panel, place.quantity, place.unit, cell_of(s.gamma_over_omega),
+         cell_of(s.Et_over_omega), std::int64_t{s.n_cells}, std::int64_t{s.n_nodes}, s.law,
+         s.omega_reading, place.x_name, place.x, cell_of(value.mean), cell_of(value.standard_error),
+         cell_of(spread), std::int64_t{value.n},
+         n > 0 ? reports::TableCell(std::int64_t{n}) : reports::TableCell(reports::Missing{"-"})});
+}
+
+void add_profile_panel(Figure& figure, Setups setups, const Place& place, const std::string& title,
+                       const std::string& y_title, double scale, SamplesOf samples,
+                       std::size_t number) {
+    reports::Plot::Panel panel{title, "r / R_th", y_title};
+    panel.x_axis.is_logarithmic = panel.y_axis.is_logarithmic = false;
+    for (const statistics::SetupStatistics& setup : setups) {
+        std::vector<std::vector<statistics::ProbeSample>> replicates;
+        for (const statistics::RunStatistics& run : setup.runs)
+            replicates.push_back(samples(run, number));
+        reports::Plot::Series series{setup.label, {}, {}};
+        for (const statistics::ProfilePoint& point : statistics::pooled_profile(replicates)) {
+            series.x.push_back(point.r);
+            series.y.push_back(scale * point.mean);
+            series.error.push_back(scale * point.standard_error);
+            Place here = place;
+            here.x_name = "r_over_R_th";
+            here.x = fmt::format("{:.3f}", point.r);
+            add_row(figure.table, setup, here,
+                    {scale * point.mean, scale * point.standard_error, point.n_replicates},
+                    scale * point.spread, point.n_probes);
+        }
+        if (series.x.empty())
+            figure.missing.push_back(
+                fmt::format("panel {}, {}: no probe has a value", place.panel, setup.label));
+        panel.series.push_back(std::move(series));
+    }
+    figure.plot.panels.push_back(std::move(panel));
+}
+
+void add_ratio_panel(Figure& figure, Setups setups, const Place& place, const std::string& title,
+                     const std::string& y_title, const EstimateOf& estimate) {
+    reports::Plot::Panel panel{title, "Et/ω", y_title};
+    panel.y_axis.is_logarithmic = false;
+    std::set<double> ratios;
+    for (const statistics::SetupStatistics& setup : setups)
+        if (std::isfinite(setup.setup().Et_over_omega)) ratios.insert(setup.setup().Et_over_omega);
+    for (const double ratio : ratios)
+        panel.x_axis.categories.push_back(statistics::ratio_text(ratio));
+    std::map<std::string, std::size_t> series_of;
+    for (const statistics::SetupStatistics& setup : setups) {
+        const statistics::Estimate value = estimate(setup);
+        Place here = place;
+        here.x_name = "Et_over_omega";
+        here.x = statistics::ratio_text(setup.setup().Et_over_omega);
+        add_row(figure.table, setup, here, value, k_undefined, 0);
+        const auto ratio = ratios.find(setup.setup().Et_over_omega);
+        if (!std::isfinite(value.mean) || ratio == ratios.end()) {
+            figure.missing.push_back(fmt::format("panel {}, {}: {} is undefined", place.panel,
+                                                 setup.label,
+                                                 ratio == ratios.end() ? "Et/ω" : place.quantity));
+            continue;
+        }
+        const auto [at, is_new] = series_of.emplace(setup.family, panel.series.size());
+        if (is_new) panel.series.push_back({setup.family, {}, {}});
+        reports::Plot::Series& series = panel.series[at->second];
+        series.x.push_back(static_cast<double>(std::distance(ratios.begin(), ratio)));
+        series.y.push_back(value.mean);
+        series.error.push_back(value.standard_error);
+    }
+    figure.plot.panels.push_back(std::move(panel));
+}
+
+std::vector<reports::Plot::Band> experimental_bands(std::size_t row) {
+    switch (row) {
+    case 0: return {{-358.0, -358.0, "−358 Pa: Mohagheghian 2018"}};
+    case 1: return {{49.0, 49.0, "49 Pa: Mohagheghian 2018"}};
+    case 2: return {{1500.0, 3600.0, "1.5–3.6 kPa: Campàs 2014"}};
+    case 3: return {{200.0, 350.0, "200–350 Pa: Lucio 2017"}};
+    default: return {};
+    }
+}
+
+std::string stress_title(std::size_t row) {
+    return std::string(statistics::all_cell_stresses()[row].label) + " (Pa)";
+}
+
+void finish(Figure& figure, Setups setups, const std::string& title) {
+    figure.plot.title = title;
+    figure.plot.legend_above = true;
+    int n_runs = 0;
+    bool has_errors = false;
+    std::set<std::string> stages;
+    for (const statistics::SetupStatistics& setup : setups) {
+        n_runs += static_cast<int>(setup.runs.size());
+        has_errors = has_errors || setup.runs.size() > 1;
+        for (const statistics::RunStatistics& run : setup.runs) stages.insert(run.stage_name);
+    }
+    figure.plot.caption.push_back(
+        fmt::format("{} runs of {} setups at their end (stage: {}). {}", n_runs, setups.size(),
+                    fmt::join(stages, ", "),
+                    has_errors ? "Error bars: standard error over seeds; none with one seed."
+                               : "One seed each: no error bars."));
+}
+
+}  // namespace spheroscope::figures

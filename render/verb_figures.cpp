@@ -1,0 +1,307 @@
+#include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
+#include "engine/cli/report_output.hpp"
+#include "engine/cli/seed_means_text.hpp"
+#include "engine/store/run_file.hpp"
+#include "render/figures/figure.hpp"
+#include "render/plot.hpp"
+#include "render/verbs.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace spheroscope {
+namespace {
+
+using statistics::RunStatistics;
+using statistics::SetupStatistics;
+
+struct FiguresArguments {
+    std::vector<std::string> files;
+    std::vector<std::string> only;
+    cli::CommonOptions common;
+};
+
+/// A run that no figure can use.
+struct LeftOut {
+    std::string file, reason;
+};
+
+struct Runs {
+    std::vector<RunStatistics> measured;
+    std::vector<LeftOut> left_out;
+};
+
+/// The frames in which a bead presses; none if it does not in the last one.
+std::vector<statistics::LoadPoint> load_of(const RunFileReader& reader, const Snapshot& last) {
+    std::vector<statistics::LoadPoint> load;
+    if (std::isnan(last.totals.probe_force_nN)) return load;
+    for (int i = 0; i < reader.n_frames(); ++i) {
+        const SnapshotPtr frame = reader.frame(i);
+        const Totals& t = frame->totals;
+        if (!std::isnan(t.probe_force_nN))
+            load.push_back({frame->time_s, t.probe_way_um, t.probe_force_nN, t.hull_force_nN,
+                            t.load_imbalance});
+    }
+    return load;
+}
+
+/// A file that cannot be read as a run is the user's mistake; a run that holds nothing to measure
+/// is left out, with its reason.
+Runs measure_files(const std::vector<std::string>& files) {
+    Runs runs;
+    for (const std::string& file : files) {
+        const RunFileReader reader(file);
+        try {
+            if (reader.n_frames() == 0) throw Error("it has no frames yet");
+            const SnapshotPtr last = reader.frame(reader.n_frames() - 1);
+            RunStatistics run = statistics::measure_run(last);
+            run.load = load_of(reader, *last);
+            run.file = file;
+            run.outcome = reader.outcome();
+            runs.measured.push_back(std::move(run));
+            spdlog::info("{}: measured", file);
+        } catch (const Error& error) {
+            runs.left_out.push_back({file, error.what()});
+        }
+    }
+    return runs;
+}
+
+/// What a reader of all figures has to know about the runs behind them.
+std::vector<std::string> remarks_on(const std::vector<SetupStatistics>& setups,
+                                    const std::vector<LeftOut>& left_out) {
+    std::vector<std::string> remarks;
+    for (const LeftOut& run : left_out)
+        remarks.push_back(fmt::format("left out: {}: {}", run.file, run.reason));
+    std::set<std::string> versions;
+    std::size_t most = 0;
+    for (const SetupStatistics& setup : setups) {
+        most = std::max(most, setup.runs.size());
+        for (const RunStatistics& run : setup.runs) {
+            versions.insert(run.version);
+            if (run.outcome.empty())
+                remarks.push_back(run.file + " has not ended: its last frame is shown");
+            else if (run.outcome == "cap")
+                remarks.push_back(run.file + " ended at its cap of time, not at rest");
+        }
+    }
+    for (const SetupStatistics& setup : setups)
+        if (setup.runs.size() < most)
+            remarks.push_back(fmt::format("{} has {} seeds, others have {}", setup.label,
+                                          setup.runs.size(), most));
+    if (versions.size() > 1)
+        remarks.push_back(fmt::format("runs of several versions: {}", fmt::join(versions, ", ")));
+    return remarks;
+}
+
+/// Breaks a text into lines of at most `n` characters, between words.
+std::vector<std::string> lines_of(const std::string& text, std::size_t n) {
+    std::vector<std::string> lines;
+    std::size_t begin = 0;
+    while (text.size() - begin > n) {
+        std::size_t end = text.rfind(' ', begin + n);
+        if (end == std::string::npos || end <= begin) end = std::min(text.size(), begin + n);
+        lines.push_back(text.substr(begin, end - begin));
+        begin = std::min(text.size(), text[end] == ' ' ? end + 1 : end);
+    }
+    lines.push_back(text.substr(begin));
+    return lines;
+}
+
+constexpr std::size_t k_most_remarks = 4, k_most_command_lines = 3;
+
+/// Caption of a picture: what the figure says of itself, what is missing, and the command.
+void add_to_caption(reports::Plot& plot, const std::vector<std::string>& remarks,
+                    const cli::Invocation& invocation) {
+    const int columns = std::min(plot.columns, static_cast<int>(plot.panels.size()));
+    const auto n = static_cast<std::size_t>(columns) * 80U;
+    std::vector<std::string> lines;
+    for (const std::string& line : plot.caption)
+        for (const std::string& part : lines_of(line, n)) lines.push_back(part);
+    for (std::size_t i = 0; i < remarks.size() && i < k_most_remarks; ++i)
+        lines.push_back(lines_of(remarks[i], n).front());
+    if (remarks.size() > k_most_remarks)
+        lines.push_back(
+            fmt::format("and {} more remarks in the CSV", remarks.size() - k_most_remarks));
+    std::vector<std::string> command =
+        lines_of(fmt::format("Made by: {} ({})", invocation.command_line, invocation.version), n);
+    if (command.size() > k_most_command_lines) {
+        command.resize(k_most_command_lines);
+        command.back() += " ... (all of it in the CSV)";
+    }
+    lines.insert(lines.end(), command.begin(), command.end());
+    plot.caption = lines;
+}
+
+/// CSV, PNG and SVG of one figure; returns their names.
+std::vector<std::string> write_figure(figures::Figure& figure, const std::string& path,
+                                      const std::vector<std::string>& remarks,
+                                      const FiguresArguments& arguments,
+                                      const cli::Invocation& invocation) {
+    std::vector<std::string> all_remarks = figure.missing;
+    all_remarks.insert(all_remarks.end(), remarks.begin(), remarks.end());
+    std::vector<std::string> comments = cli::report_comments(arguments.common, invocation);
+    comments.insert(comments.end(), figure.plot.caption.begin(), figure.plot.caption.end());
+    comments.insert(comments.end(), all_remarks.begin(), all_remarks.end());
+    cli::write_text_file(path + ".csv", figure.table.csv_text(comments));
+    std::vector<std::string> files{path + ".csv"};
+    add_to_caption(figure.plot, all_remarks, invocation);
+    std::string caption;
+    for (const std::string& line : figure.plot.caption) caption += line + "\n";
+    render::draw_plot(figure.plot, path + ".png", path + ".svg",
+                      {{"Title", figure.plot.title},
+                       {"Description", caption},
+                       {"Command", invocation.command_line},
+                       {"Software", "spheroscope " + invocation.version}});
+    files.push_back(path + ".png");
+    files.push_back(path + ".svg");
+    return files;
+}
+
+std::vector<const figures::FigureRow*> wanted_figures(const std::vector<std::string>& names) {
+    std::vector<const figures::FigureRow*> wanted;
+    std::string all;
+    for (const figures::FigureRow& row : figures::all_figures()) {
+        all += (all.empty() ? "" : ", ") + std::string(row.name);
+        if (names.empty() || std::find(names.begin(), names.end(), row.name) != names.end())
+            wanted.push_back(&row);
+    }
+    for (const std::string& name : names)
+        if (std::none_of(wanted.begin(), wanted.end(),
+                         [&](const auto* row) { return row->name == name; }))
+            throw Error("there is no figure '" + name + "'", "figures are " + all);
+    return wanted;
+}
+
+nlohmann::json json_of(const SetupStatistics& setup) {
+    nlohmann::json runs = nlohmann::json::array();
+    for (const RunStatistics& run : setup.runs)
+        runs.push_back({{"file", run.file},
+                        {"seed", run.seed},
+                        {"outcome", run.outcome},
+                        {"stage", run.stage_name},
+                        {"time_s", run.time_s}});
+    nlohmann::json numbers = nlohmann::json::object();
+    for (const figures::SetupNumber& number : figures::numbers_of(setup))
+        numbers[number.name] = {
+            {"unit", number.unit},
+            {"mean", cli::number_or_null(number.estimate.mean)},
+            {"standard_error", cli::number_or_null(number.estimate.standard_error)},
+            {"seeds", number.estimate.n}};
+    return {{"label", setup.label}, {"runs", runs}, {"numbers", numbers}};
+}
+
+/// Numbers of all setups side by side, with their errors.
+reports::ReportTable table_of(const std::vector<SetupStatistics>& setups) {
+    reports::ReportTable table;
+    table.columns = {{"setup"}, {"number"}, {"unit"}, {"mean"}, {"standard_error"}, {"seeds"}};
+    for (const SetupStatistics& setup : setups)
+        for (const figures::SetupNumber& number : figures::numbers_of(setup))
+            table.rows.push_back({setup.label, number.name, number.unit, number.estimate.mean,
+                                  number.estimate.standard_error, std::int64_t{number.estimate.n}});
+    return table;
+}
+
+std::string text_of(const SetupStatistics& setup) {
+    std::string seeds;
+    for (const RunStatistics& run : setup.runs)
+        seeds += fmt::format("{}{} ({})", seeds.empty() ? "" : ", ", run.seed,
+                             run.outcome.empty() ? "not ended" : run.outcome);
+    std::string text = fmt::format("{}\n  {:<32} {}\n", setup.label, "seeds", seeds);
+    for (const figures::SetupNumber& number : figures::numbers_of(setup))
+        text += fmt::format("  {:<32} {}{}\n", number.name,
+                            cli::with_error(number.estimate.mean, number.estimate.standard_error),
+                            number.unit == "1" || number.estimate.n == 0 ? "" : " " + number.unit);
+    return text;
+}
+
+ExitCode make_figures(const FiguresArguments& arguments, const cli::Invocation& invocation) {
+    if (arguments.common.quiet) cli::make_log_quiet();
+    if (arguments.files.empty())
+        throw Error("figures wants the files of runs, got none",
+                    "spheroscope figures out/*/run.h5 -o out/figures");
+    const std::vector<const figures::FigureRow*> wanted = wanted_figures(arguments.only);
+    const Runs runs = measure_files(arguments.files);
+    for (const LeftOut& run : runs.left_out) spdlog::warn("{}: left out: {}", run.file, run.reason);
+    if (runs.measured.empty())
+        throw Error("none of these runs can serve a figure", "the reasons are above");
+    const std::vector<SetupStatistics> setups = statistics::group_by_setup(runs.measured);
+    const std::vector<std::string> remarks = remarks_on(setups, runs.left_out);
+    const std::string folder = cli::report_folder(arguments.common, "out/figures");
+
+    nlohmann::json drawn = nlohmann::json::array();
+    std::vector<std::string> files;
+    for (const figures::FigureRow* row : wanted) {
+        figures::Figure figure = row->make(setups);
+        const std::string name(row->name);
+        std::vector<std::string> of_figure;
+        if (figure.plot.panels.empty())
+            for (const std::string& reason : figure.missing)
+                spdlog::warn("{} is not drawn: {}", name, reason);
+        else
+            of_figure = write_figure(figure, folder + "/" + name, remarks, arguments, invocation);
+        drawn.push_back({{"name", name},
+                         {"title", row->title},
+                         {"files", of_figure},
+                         {"missing", figure.missing}});
+        files.insert(files.end(), of_figure.begin(), of_figure.end());
+    }
+    const std::string numbers = folder + "/numbers.csv";
+    cli::write_text_file(
+        numbers, table_of(setups).csv_text(cli::report_comments(arguments.common, invocation)));
+    files.push_back(numbers);
+
+    if (arguments.common.json) {
+        nlohmann::json of_setups = nlohmann::json::array();
+        for (const SetupStatistics& setup : setups) of_setups.push_back(json_of(setup));
+        nlohmann::json left_out = nlohmann::json::array();
+        for (const LeftOut& run : runs.left_out)
+            left_out.push_back({{"file", run.file}, {"reason", run.reason}});
+        cli::print_json({{"setups", of_setups},
+                         {"figures", drawn},
+                         {"left_out", left_out},
+                         {"remarks", remarks},
+                         {"files", files}});
+        return ExitCode::ok;
+    }
+    for (const SetupStatistics& setup : setups) fmt::print("{}\n", text_of(setup));
+    for (const std::string& remark : remarks) fmt::print("{}\n", remark);
+    for (const auto& figure : drawn)
+        for (const auto& missing : figure["missing"])
+            fmt::print("{}: {}\n", figure["name"].get<std::string>(), missing.get<std::string>());
+    for (const std::string& file : files) fmt::print("written to {}\n", file);
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+cli::Verb figures_verb() {
+    return {"figures",
+            "the paper's plots from stored runs of one or more setups and seeds: PNG, SVG, CSV",
+            [](cli::CommandLine& command) -> cli::VerbAction {
+                using cli::CommonOption;
+                const auto arguments = std::make_shared<FiguresArguments>();
+                command.optional_arguments("FILES", arguments->files,
+                                           "HDF5 files of runs; seeds of one setup are pooled");
+                command.option("--only", arguments->only,
+                               "this figure only, fig2 ... fig7; may be given several times");
+                cli::add_common_options(
+                    command, arguments->common,
+                    {CommonOption::output, CommonOption::json, CommonOption::quiet});
+                return [arguments](const cli::Invocation& invocation) {
+                    return make_figures(*arguments, invocation);
+                };
+            }};
+}
+
+}  // namespace spheroscope

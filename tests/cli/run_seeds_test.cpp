@@ -1,0 +1,133 @@
+// run --seeds, and what info says of several runs.
+#include "tests/cli/program_runner.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+
+namespace spheroscope {
+namespace {
+
+/// A ball of three beads that become cells and relax for a moment.
+const char* const k_scene = R"(
+[scene]
+title = "Three cells"
+[cells]
+count = 3
+nodes = 42
+[cells.radius]
+shape = 37.75
+scale = "0.24 um"
+min = "5 um"
+max = "13 um"
+[cortex.elastic]
+E = "20 kPa"
+[cortex.tension]
+gamma = "0.5 nN/um"
+[cortex.viscosity]
+eta = "1 kPa s"
+[cytosol]
+K = "5 kPa"
+[medium]
+[contact]
+law = "traction"
+[contact.adhesion]
+omega = "0.5 nN/um"
+[contact.friction]
+normal = "0.05 kPa s/um"
+tangential = "0.05 kPa s/um"
+[method]
+dt_max = "0.1 s"
+[[stage]]
+kind = "anneal"
+packing_fraction = 0.3
+steps = 500
+[[stage]]
+kind = "relax"
+duration = "0.3 s"
+[measures]
+fields = ["sigma_h"]
+)";
+
+class RunSeeds : public ProgramRunner {
+  protected:
+    RunSeeds() { write_file("small.toml", k_scene); }
+};
+
+TEST_F(RunSeeds, MakesOneRunForEachSeedAndTheirMeans) {
+    const Outcome outcome = call({"run", "small.toml", "--seeds", "1..3", "-o", "out", "--threads",
+                                  "1", "--quiet", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto document = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(document["seeds"].size(), 3U);
+    double sum = 0.0, square = 0.0;
+    for (int seed = 1; seed <= 3; ++seed) {
+        const std::string file = "out/seed_" + std::to_string(seed) + "/run.h5";
+        const auto info = nlohmann::json::parse(call({"info", file, "--json"}).out);
+        EXPECT_EQ(info["seed"], seed);
+        const double area = info["totals"]["contact_area"].get<double>();
+        sum += area;
+        square += area * area;
+    }
+    const auto& area = document["totals"]["contact_area"];
+    EXPECT_NEAR(area["mean"].get<double>(), sum / 3.0, 1e-9 * sum);
+    EXPECT_NEAR(area["standard_error"].get<double>(),
+                std::sqrt((square - sum * sum / 3.0) / 2.0 / 3.0), 1e-6 * sum);
+    // and info of the three files says the same
+    const auto info = nlohmann::json::parse(
+        call({"info", "out/seed_1/run.h5", "out/seed_2/run.h5", "out/seed_3/run.h5", "--json"})
+            .out);
+    ASSERT_EQ(info["setups"].size(), 1U);
+    for (const char* measure : {"contact_area", "coordination_Z", "sigma_h_size"})
+        EXPECT_EQ(info["setups"][0]["totals"][measure], document["totals"][measure]) << measure;
+    const Outcome text =
+        call({"info", "out/seed_1/run.h5", "out/seed_2/run.h5", "out/seed_3/run.h5"});
+    EXPECT_NE(text.out.find("+-"), std::string::npos) << text.out;
+}
+
+TEST_F(RunSeeds, GoOnAfterASeedThatFailedAndEndWithThree) {
+    // Seed 2 cannot begin: its folder is a file.
+    std::filesystem::create_directories(path("out"));
+    write_file("out/seed_2", "in the way");
+    const Outcome outcome = call({"run", "small.toml", "--seeds", "1..3", "-o", "out", "--threads",
+                                  "1", "--quiet", "--json"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.err.find("seed 2 failed"), std::string::npos) << outcome.err;
+    const auto document = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(document["seeds"].size(), 3U);
+    EXPECT_EQ(document["seeds"][1]["outcome"], "failed");
+    EXPECT_NE(document["seeds"][1]["reason"], "");
+    EXPECT_EQ(document["totals"]["contact_area"]["seeds"], 2);
+    // What is missing is made when the cause is gone; what is there stays.
+    std::filesystem::remove(path("out/seed_2"));
+    const auto before = std::filesystem::last_write_time(path("out/seed_1/run.h5"));
+    const Outcome again = call({"run", "small.toml", "--seeds", "1..3", "-o", "out", "--threads",
+                                "1", "--quiet", "--json", "--resume"});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(nlohmann::json::parse(again.out)["totals"]["contact_area"]["seeds"], 3);
+    EXPECT_EQ(std::filesystem::last_write_time(path("out/seed_1/run.h5")), before);
+}
+
+TEST_F(RunSeeds, AndSeedExcludeEachOther) {
+    const Outcome outcome = call({"run", "small.toml", "--seeds", "1..3", "--seed", "4"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("--seeds"), std::string::npos) << outcome.err;
+    EXPECT_EQ(call({"run", "small.toml", "--seeds", "3..1"}).code, 2);
+}
+
+TEST_F(RunSeeds, OfAWrongSceneIsOneMistake) {
+    write_file("wrong.toml", with(k_scene, "count = 3", "count = -3"));
+    const Outcome outcome = call({"run", "wrong.toml", "--seeds", "1..3"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("wrong.toml:"), std::string::npos) << outcome.err;
+}
+
+TEST_F(RunSeeds, InfoWantsAFile) {
+    const Outcome outcome = call({"info"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("FILE"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace spheroscope

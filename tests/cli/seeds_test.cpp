@@ -1,0 +1,34 @@
+#include "engine/base/error.hpp"
+#include "engine/cli/seeds.hpp"
+
+#include <gtest/gtest.h>
+
+namespace spheroscope::cli {
+namespace {
+
+using Seeds = std::vector<std::uint64_t>;
+
+TEST(Seeds, AreARangeAListOrBoth) {
+    EXPECT_EQ(parse_seeds("1..5"), (Seeds{1, 2, 3, 4, 5}));
+    EXPECT_EQ(parse_seeds("7"), Seeds{7});
+    EXPECT_EQ(parse_seeds("4,2"), (Seeds{4, 2}));
+    EXPECT_EQ(parse_seeds("1..2,10"), (Seeds{1, 2, 10}));
+    EXPECT_EQ(parse_seeds("18446744073709551615..18446744073709551615").size(), 1U);
+}
+
+TEST(Seeds, OfAnyOtherTextAreRefusedWithWhatWasGot) {
+    for (const char* text : {"", "a", "1...5", "1..", "..3", "-1", "1,,2", "1 .. 5", "5..1", "1,1",
+                             "1..3,2", "1..1001", "0..18446744073709551615"})
+        try {
+            static_cast<void>(parse_seeds(text));
+            ADD_FAILURE() << text << " was read";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::usage);
+            EXPECT_NE(std::string(error.what()).find("'" + std::string(text) + "'"),
+                      std::string::npos)
+                << error.what();
+        }
+}
+
+}  // namespace
+}  // namespace spheroscope::cli

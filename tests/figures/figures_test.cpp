@@ -1,0 +1,165 @@
+#include "engine/base/error.hpp"
+#include "render/figures/figure.hpp"
+#include "tests/figures/made_up_runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spheroscope::figures {
+namespace {
+
+using statistics::group_by_setup;
+using statistics::SetupStatistics;
+using test::made_up_run;
+
+std::vector<SetupStatistics> two_setups() {
+    return group_by_setup({made_up_run(1, 8, 2), made_up_run(4, 8, 1), made_up_run(1, 8, 1)});
+}
+
+bool is_said(const Figure& figure, const std::string& words) {
+    return std::any_of(figure.missing.begin(), figure.missing.end(), [&](const std::string& text) {
+        return text.find(words) != std::string::npos;
+    });
+}
+
+TEST(Setups, PoolTheSeedsAndAreNamedByWhatDiffers) {
+    const auto setups = two_setups();
+    ASSERT_EQ(setups.size(), 2U);
+    EXPECT_EQ(setups[0].label, "γ/ω = 1, Et/ω = 8");
+    EXPECT_EQ(setups[0].family, "γ/ω = 1");
+    ASSERT_EQ(setups[0].runs.size(), 2U);
+    EXPECT_EQ(setups[0].runs[0].seed, 1U);
+    auto larger = made_up_run(1, 8, 1);
+    larger.setup.n_cells = 300;
+    larger.setup.scene_without_seed += "larger";
+    const auto by_size = group_by_setup({made_up_run(1, 8, 1), larger});
+    EXPECT_EQ(by_size[1].label, "γ/ω = 1, Et/ω = 8, N = 300");
+}
+
+TEST(Setups, WithOneSeedTwiceAreRefused) {
+    EXPECT_THROW(static_cast<void>(group_by_setup({made_up_run(1, 8, 1), made_up_run(1, 8, 1)})),
+                 Error);
+}
+
+TEST(EveryFigure, HasAxesWithTitlesAndEachDrawnPointInItsTable) {
+    const auto setups =
+        group_by_setup({made_up_run(1, 8, 1), made_up_run(1, 8, 2), made_up_run(4, 8, 1),
+                        made_up_run(4, 2, 1), made_up_run(1, 2, 1)});
+    for (const FigureRow& row : all_figures()) {
+        const Figure figure = row.make(setups);
+        ASSERT_FALSE(figure.plot.panels.empty()) << row.name;
+        EXPECT_FALSE(figure.plot.caption.empty()) << row.name;
+        std::size_t n_points = 0;
+        for (const reports::Plot::Panel& panel : figure.plot.panels) {
+            EXPECT_FALSE(panel.title.empty());
+            EXPECT_FALSE(panel.y_title.empty());
+            for (const reports::Plot::Series& series : panel.series) {
+                EXPECT_EQ(series.x.size(), series.y.size());
+                if (!series.error.empty()) EXPECT_EQ(series.error.size(), series.y.size());
+                if (series.colour_of.empty()) n_points += series.x.size();
+                for (const double y : series.y) EXPECT_TRUE(std::isfinite(y)) << row.name;
+            }
+            if (panel.map)
+                n_points += static_cast<std::size_t>(
+                    std::count_if(panel.map->values.begin(), panel.map->values.end(),
+                                  [](const auto& v) { return !std::isnan(v.value); }));
+        }
+        EXPECT_GE(figure.table.rows.size(), n_points) << row.name;
+        for (const auto& cells : figure.table.rows)
+            EXPECT_EQ(cells.size(), figure.table.columns.size());
+    }
+}
+
+TEST(RadialProfiles, AreInPascalWithTheErrorOverSeeds) {
+    const auto setups = two_setups();
+    const Figure figure = radial_profiles(setups);
+    const reports::Plot::Panel& panel = figure.plot.panels[0];
+    EXPECT_EQ(panel.y_title, "σ^h (Pa)");
+    const reports::Plot::Series& two_seeds = panel.series[0];
+    EXPECT_NEAR(two_seeds.x[0], 0.025, 1e-12);
+    EXPECT_NEAR(two_seeds.y[0], 1000.0 * (0.025 - 0.6 + 0.015), 1e-6);
+    EXPECT_NEAR(two_seeds.error[0], 5.0, 1e-6) << "0.01 and 0.02 kPa: half their difference";
+    EXPECT_TRUE(std::isnan(panel.series[1].error[0])) << "one seed";
+}
+
+TEST(StressProfiles, HaveTheExperimentsBands) {
+    const auto setups = two_setups();
+    const Figure figure = stress_profiles(setups);
+    ASSERT_EQ(figure.plot.panels.size(), 4U);
+    ASSERT_EQ(figure.plot.panels[2].bands.size(), 1U);
+    EXPECT_EQ(figure.plot.panels[2].bands[0].low, 1500.0);
+    EXPECT_EQ(figure.plot.panels[3].bands[0].high, 350.0);
+}
+
+TEST(ContactNetwork, FitsAnExponentialWithOne) {
+    const auto setups = two_setups();
+    const Figure figure = contact_network(setups);
+    ASSERT_EQ(figure.plot.panels.size(), 4U);
+    EXPECT_NEAR(figure.plot.panels[3].series[0].y[0], 1.0, 0.03);
+    EXPECT_EQ(figure.plot.panels[0].series[0].y[0], 12.0);
+    EXPECT_EQ(figure.plot.panels[2].series[1].colour_of, setups[0].label) << "its fit";
+}
+
+TEST(ContactNetwork, SaysWhichSetupHasTooFewForces) {
+    auto few = made_up_run(1, 8, 1);
+    few.pairs.resize(20);
+    const auto setups = group_by_setup({few});
+    const Figure figure = contact_network(setups);
+    EXPECT_TRUE(is_said(figure, "forces lie above the mean"));
+}
+
+TEST(ParameterMaps, ShowMissingPointsAndThoseOutsideOfTable2OnOneRange) {
+    std::vector<statistics::RunStatistics> runs;
+    for (const double gamma : {0.5, 1.0})
+        for (const double Et : {0.125, 0.5}) runs.push_back(made_up_run(gamma, Et, 1));
+    runs.push_back(made_up_run(8, 0.125, 1));  // E = 0.039 kPa
+    const auto setups = group_by_setup(runs);
+    const Figure figure = parameter_maps(setups);
+    ASSERT_EQ(figure.plot.panels.size(), 6U) << "three measures on two grids";
+    const reports::Plot::Map& broad = *figure.plot.panels[0].map;
+    const reports::Plot::Map& refined = *figure.plot.panels[1].map;
+    EXPECT_EQ(broad.x_labels, (std::vector<std::string>{"1/8", "1/2", "2", "8", "32", "64"}));
+    EXPECT_EQ(broad.low, refined.low);
+    EXPECT_EQ(broad.high, refined.high);
+    EXPECT_NEAR(broad.values[0].value, 0.56, 1e-12);
+    EXPECT_TRUE(std::isnan(broad.values[2].value)) << "no run with Et/omega = 2";
+    const auto& corner = broad.values[4 * 6];
+    EXPECT_FALSE(std::isnan(corner.value));
+    EXPECT_NE(corner.mark.find("†"), std::string::npos);
+    EXPECT_EQ(broad.values[0].mark, "");
+    EXPECT_TRUE(is_said(figure, "broad grid: 5 of 30 points have runs"));
+}
+
+TEST(ParameterMaps, OfRunsThatAreNoGridAreNotDrawnAndSayWhy) {
+    const auto setups = two_setups();
+    const Figure figure = parameter_maps(setups);
+    EXPECT_TRUE(figure.plot.panels.empty());
+    EXPECT_TRUE(is_said(figure, "a map wants two of each"));
+}
+
+TEST(ParameterMaps, OfRunsThatDifferInMoreSayInWhat) {
+    auto other = made_up_run(2, 0.5, 1);
+    other.setup.law = "variational";
+    const auto setups = group_by_setup({made_up_run(1, 0.125, 1), other});
+    EXPECT_TRUE(is_said(parameter_maps(setups), "variational"));
+}
+
+TEST(Numbers, HaveTheDepthsOfTheProfile) {
+    const auto setups = two_setups();
+    const auto numbers = numbers_of(setups[1]);
+    const auto find = [&](const std::string& name) {
+        for (const SetupNumber& number : numbers)
+            if (number.name == name) return number.estimate.mean;
+        return std::nan("");
+    };
+    EXPECT_NEAR(find("sigma_h_zero_depth"), 50.0 * (1.0 - 0.59), 0.01);
+    EXPECT_NEAR(find("void_fraction"), 0.0, 1e-12);
+    EXPECT_NEAR(find("mean_normal_stress"), -100.0, 1e-9);
+    EXPECT_NEAR(find("mean_normal_stress_by_area"), -200.0, 1e-9);
+    EXPECT_EQ(find("coordination_Z"), 12.0);
+}
+
+}  // namespace
+}  // namespace spheroscope::figures
