@@ -1,4 +1,4 @@
-// C-14g. A drop of tension gamma between two rigid frictionless plates. Young and Laplace: the free
+// A drop of tension gamma between two rigid frictionless plates. Young and Laplace: the free
 // surface has one mean curvature, P = gamma (1/R1 + 1/R2), and touches the plates at 180 degrees,
 // so the plates carry F = P pi a^2. With kappa = P/2 gamma the balance of a cap is
 //
