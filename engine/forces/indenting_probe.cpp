@@ -4,14 +4,23 @@
 #include "engine/forces/cell_view.hpp"
 #include "engine/forces/parameter_check.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace spheroscope {
 namespace {
 
-/// Calls visit(node, k a_i in nN/um, overlap in um, outward direction) for every node in the probe.
-template <class Visit>
-void for_each_overlap(const Configuration& at, int cell, double k_kPa_per_um, Visit visit) {
+/// One node of a cell in the probe.
+struct Node {
+    int i;
+    double area_um2, overlap_um;
+    Vec3 outward;
+    double force_nN, k_nN_per_um;
+};
+
+void find_nodes(const Configuration& at, int cell, std::vector<Node>& nodes) {
+    nodes.clear();
     const Probe& probe = at.load.probe;
     if (!probe.acts()) return;
     const CellView view(at, cell);
@@ -23,9 +32,53 @@ void for_each_overlap(const Configuration& at, int cell, double k_kPa_per_um, Vi
         const double distance_um = from_centre.norm();
         const double area =
             view.R_um * view.R_um * view.model.unit_node_area[static_cast<std::size_t>(i)];
-        visit(i, k_kPa_per_um * area, probe.radius_um - distance_um,
-              Vec3(from_centre / distance_um));
+        nodes.push_back({i, area, probe.radius_um - distance_um, from_centre / distance_um, 0, 0});
     }
+}
+
+/// Hertz's law between the probe and one cell, at its present overlap.
+struct Hertz {
+    double pressure_kPa = 0.0, slope_kPa_per_um = 0.0, energy_fJ = 0.0;
+
+    Hertz(const std::vector<Node>& nodes, double modulus_kPa, double probe_radius_um,
+          double cell_radius_um) {
+        double volume_um3 = 0.0, area_um2 = 0.0;
+        for (const Node& node : nodes) {
+            volume_um3 += node.area_um2 * node.overlap_um;
+            area_um2 += node.area_um2;
+        }
+        if (!(volume_um3 > 0.0)) return;
+        const double R_um = 1.0 / (1.0 / probe_radius_um + 1.0 / cell_radius_um);
+        const double d_um = std::sqrt(volume_um3 / (std::numbers::pi * R_um));
+        pressure_kPa = 2.0 / (3.0 * std::numbers::pi) * modulus_kPa * std::sqrt(d_um / R_um);
+        // dp/dV = p/4V; a node's own overlap counts as if all of them grew with it, which is more
+        // than the exact matrix and has no entries between nodes
+        slope_kPa_per_um = 0.25 * pressure_kPa / volume_um3 * area_um2;
+        energy_fJ = 8.0 / 15.0 * modulus_kPa * std::sqrt(R_um) * std::pow(d_um, 2.5);
+    }
+};
+
+/// Calls visit(node) for every node of the cell that the probe touches.
+template <class Visit> void for_each_touch(const Configuration& at, int cell,
+                                           const IndentingProbeParameters& parameters,
+                                           Visit visit) {
+    thread_local std::vector<Node> nodes;
+    find_nodes(at, cell, nodes);
+    if (nodes.empty()) return;
+    if (parameters.hertz_modulus_kPa > 0.0) {
+        const Hertz law(nodes, parameters.hertz_modulus_kPa, at.load.probe.radius_um,
+                        at.model.radius_um[static_cast<std::size_t>(cell)]);
+        for (Node& node : nodes) {
+            node.force_nN = law.pressure_kPa * node.area_um2;
+            node.k_nN_per_um = law.slope_kPa_per_um * node.area_um2;
+        }
+    } else {
+        for (Node& node : nodes) {
+            node.k_nN_per_um = parameters.k_kPa_per_um * node.area_um2;
+            node.force_nN = node.k_nN_per_um * node.overlap_um;
+        }
+    }
+    for (const Node& node : nodes) visit(node);
 }
 
 }  // namespace
@@ -36,46 +89,48 @@ IndentingProbe::IndentingProbe(Loc loc, const IndentingProbeParameters& paramete
 }
 
 void IndentingProbe::add_force(const Configuration& at, int cell, std::span<Vec3> F_nN) const {
-    for_each_overlap(at, cell, parameters_.k_kPa_per_um,
-                     [&](int i, double k, double overlap, const Vec3& outward) {
-                         at_node(F_nN, i) += k * overlap * outward;
-                     });
+    for_each_touch(at, cell, parameters_, [&](const Node& node) {
+        at_node(F_nN, node.i) += node.force_nN * node.outward;
+    });
 }
 
 std::optional<double> IndentingProbe::energy_fJ(const Configuration& at, int cell) const {
+    if (parameters_.hertz_modulus_kPa > 0.0) {
+        std::vector<Node> nodes;
+        find_nodes(at, cell, nodes);
+        return Hertz(nodes, parameters_.hertz_modulus_kPa, at.load.probe.radius_um,
+                     at.model.radius_um[static_cast<std::size_t>(cell)])
+            .energy_fJ;
+    }
     double sum = 0.0;
-    for_each_overlap(
-        at, cell, parameters_.k_kPa_per_um,
-        [&](int, double k, double overlap, const Vec3&) { sum += 0.5 * k * overlap * overlap; });
+    for_each_touch(at, cell, parameters_,
+                   [&](const Node& node) { sum += 0.5 * node.force_nN * node.overlap_um; });
     return sum;
 }
 
 void IndentingProbe::add_stiffness(const Configuration& at, int cell, CellStiffness& K) const {
-    for_each_overlap(
-        at, cell, parameters_.k_kPa_per_um,
-        [&](int i, double k, double, const Vec3& outward) { K.nodes.emplace_back(i, k, outward); });
+    for_each_touch(at, cell, parameters_, [&](const Node& node) {
+        K.nodes.emplace_back(node.i, node.k_nN_per_um, node.outward);
+    });
 }
 
 void IndentingProbe::find_touches(const Configuration& at, std::vector<Touch>& touches) const {
     touches.clear();
     const auto n_nodes = static_cast<std::size_t>(at.model.n_nodes());
     for (int cell = 0; cell < at.model.n_cells(); ++cell)
-        for_each_overlap(
-            at, cell, parameters_.k_kPa_per_um,
-            [&](int i, double k, double overlap, const Vec3& outward) {
-                touches.push_back(
-                    {static_cast<std::size_t>(cell) * n_nodes + static_cast<std::size_t>(i), k,
-                     overlap, outward, outward.dot(at.load.probe.direction)});
-            });
+        for_each_touch(at, cell, parameters_, [&](const Node& node) {
+            touches.push_back(
+                {static_cast<std::size_t>(cell) * n_nodes + static_cast<std::size_t>(node.i),
+                 node.k_nN_per_um, node.force_nN, node.outward,
+                 node.outward.dot(at.load.probe.direction)});
+        });
 }
 
 Vec3 IndentingProbe::sum_nN(const Configuration& at) const {
     Vec3 sum = Vec3::Zero();
     for (int cell = 0; cell < at.model.n_cells(); ++cell)
-        for_each_overlap(at, cell, parameters_.k_kPa_per_um,
-                         [&](int, double k, double overlap, const Vec3& outward) {
-                             sum += k * overlap * outward;
-                         });
+        for_each_touch(at, cell, parameters_,
+                       [&](const Node& node) { sum += node.force_nN * node.outward; });
     return sum;
 }
 

@@ -7,20 +7,28 @@
 namespace spheroscope {
 
 struct IndentingProbeParameters {
-    double k_kPa_per_um = 0.0;  ///< pressure per overlap
+    double k_kPa_per_um = 0.0;       ///< pressure per overlap
+    double hertz_modulus_kPa = 0.0;  ///< E* of Hertz's law; 0: the linear one
 };
 
-/// A rigid bead that is pressed into the aggregate, with slip and without adhesion. The law is
-/// linear, as that of the hull: F_i = k a_i (R - |x_i - c|)+ along x_i - c, with the node's rest
-/// area a_i. (Cuvelier et al. 2021, Appendix G, have Hertz contacts of triangles, whose radii and
-/// moduli they do not print.)
+/// A rigid bead that is pressed into the aggregate, with slip and without adhesion: on each node
+/// that it touches F_i = p_i a_i along x_i - c, with the node's rest area a_i. Cuvelier et al.
+/// 2021, Appendix G, have Hertz contacts of triangles, whose radii and moduli they do not print.
+/// Here
+///
+///   linear   p_i = k d_i, as that of the hull, with the overlap d_i = (R - |x_i - c|)+
+///   Hertz    per cell F = 4/3 E* sqrt(R_eff) d^1.5, 1/R_eff = 1/R + 1/R_cell, spread evenly over
+///   the
+///            touched area 2 pi R_eff d: p = 2/(3 pi) E* sqrt(d/R_eff). The depth d follows from
+///            the volume of the overlap, sum of a_i d_i = pi R_eff d^2, so that the law has the
+///            energy 8/15 E* sqrt(R_eff) d^2.5.
 class IndentingProbe final : public ForceTerm {
   public:
     /// One node that the probe touches.
     struct Touch {
         std::size_t node;    ///< of all nodes
-        double k_nN_per_um;  ///< of this node
-        double overlap_um;
+        double k_nN_per_um;  ///< how the force grows with the overlap
+        double force_nN;
         Vec3 outward;  ///< unit, from the probe's centre
         double along;  ///< outward . direction
     };

@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 5> k_readings{"printed", "text", "two_sid
 constexpr std::array<std::string_view, 6> k_stages{"anneal",  "compact", "hold",
                                                    "release", "relax",   "indent"};
 constexpr std::array<std::string_view, 3> k_stable_steps{"refuse", "follow", "ignore"};
+constexpr std::array<std::string_view, 2> k_probe_laws{"linear", "hertz"};
 constexpr std::array<std::string_view, 3> k_untils{"duration", "rest", "stationary"};
 constexpr std::array<std::string_view, 3> k_outcomes{"ends", "stops", "either"};
 constexpr std::array<std::string_view, 3> k_ranges{"run", "frame", "given"};
@@ -116,6 +117,11 @@ constexpr Applies in_compact{
 constexpr Applies in_indent{
     [](const Draft& d, std::size_t i) { return d.scene.stages[i].kind == StageKind::indent; },
     "in a stage of kind \"indent\""};
+constexpr Applies with_hertz{[](const Draft& d, std::size_t i) {
+                                 return in_indent.holds(d, i) &&
+                                        d.scene.stages[i].probe_law == ProbeLaw::hertz;
+                             },
+                             "with probe_law = \"hertz\""};
 constexpr Applies with_wall{
     [](const Draft& d, std::size_t i) { return in_compact.holds(d, i) || in_indent.holds(d, i); },
     "in a stage of kind \"compact\" or \"indent\""};
@@ -447,6 +453,13 @@ const auto& keys() {
         Key{"stage", "probe_radius", reach<&S::stages, &Stage::probe_radius_um>(), length,
             positive, {}, in_indent, "27 um: three times a cell's", k_appendix_g,
             "Radius of the probe, a stiff bead."},
+        Key{"stage", "probe_law", choose<&S::stages, &Stage::probe_law>(k_probe_laws), number, {},
+            {}, in_indent, "", k_ours,
+            "`linear`: pressure in proportion to the overlap of each node, as of the hull. `hertz`: "
+            "on each cell F = 4/3 E* sqrt(R_eff) d^1.5, spread evenly over the nodes that it "
+            "touches."},
+        Key{"stage", "probe_modulus", reach<&S::stages, &Stage::probe_modulus_kPa>(), stiffness,
+            positive, required, with_hertz, "20 kPa", k_ours, "E* of Hertz's law."},
         Key{"stage", "direction", reach<&S::stages, &Stage::direction>(), number, {}, {},
             in_indent, "[0, 0, -1]", k_ours,
             "In which the probe is pushed, of any length but zero; its line goes through the "

@@ -153,6 +153,7 @@ struct Method {
 
 enum class StageKind { anneal, compact, hold, release, relax, indent };
 enum class Until { duration, rest, stationary };
+enum class ProbeLaw { linear, hertz };
 
 struct Stage {
     Loc loc;
@@ -173,6 +174,8 @@ struct Stage {
     // indent
     double force_nN = 15.0;
     double probe_radius_um = 27.0;
+    ProbeLaw probe_law = ProbeLaw::linear;
+    double probe_modulus_kPa = 0.0;                   ///< E* of `hertz`
     std::array<double, 3> direction{0.0, 0.0, -1.0};  ///< in which the probe is pushed
     double clearance_um = 0.0;                        ///< of the probe at the start
     double probe_drag = 1.0;                          ///< friction of the probe over that of Stokes

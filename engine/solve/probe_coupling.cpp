@@ -34,8 +34,7 @@ SolveOutcome ProbeCoupling::solve(System& system, const State& state, double dt_
     if (!probe.acts() || !outcome.converged) return outcome;
     SPHEROSCOPE_ASSERT(system.parts().probe != nullptr, "the scene of a probe has its term");
     system.parts().probe->find_touches(system.configuration(), touches_);
-    for (const auto& touch : touches_)
-        force_nN_ += touch.k_nN_per_um * touch.overlap_um * touch.along;
+    for (const auto& touch : touches_) force_nN_ += touch.force_nN * touch.along;
     if (touches_.empty()) {
         speed_um_per_s_ = probe.force_nN / probe.friction_nN_s_per_um;
         return outcome;

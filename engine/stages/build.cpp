@@ -222,8 +222,11 @@ SystemParts build_parts(const scene::Scene& scene, std::span<const Vec3> held_fo
         const double k_kPa_per_um = wall_stiffness_kPa_per_um(scene, *stage);
         parts.hull =
             add(std::make_unique<ConfiningHull>(stage->loc, ConfiningHullParameters{k_kPa_per_um}));
-        parts.probe = add(
-            std::make_unique<IndentingProbe>(stage->loc, IndentingProbeParameters{k_kPa_per_um}));
+        const bool is_hertz = stage->probe_law == scene::ProbeLaw::hertz;
+        parts.probe = add(std::make_unique<IndentingProbe>(
+            stage->loc, IndentingProbeParameters{.k_kPa_per_um = k_kPa_per_um,
+                                                 .hertz_modulus_kPa =
+                                                     is_hertz ? stage->probe_modulus_kPa : 0.0}));
     }
     if (scene.medium) parts.frictions.eta_f_kPa_s = scene.medium->eta_f_kPa_s;
     if (const auto& p = scene.cortex.viscosity)

@@ -68,7 +68,7 @@ TEST_F(LoadedDoublet, IsSolvedLikeADenseSystemWithOneMoreUnknown) {
             dense.block<3, 1>(row, n) = -g;
             dense.block<1, 3>(n, row) = -g.transpose();
             dense(n, n) += dt_s * touch.k_nN_per_um * touch.along * touch.along;
-            right[n] -= touch.k_nN_per_um * touch.overlap_um * touch.along;
+            right[n] -= touch.force_nN * touch.along;
         }
         const Eigen::VectorXd expected = dense.fullPivLu().solve(right);
 
