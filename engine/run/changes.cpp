@@ -94,7 +94,7 @@ void apply_change(Scene& scene, const Change& change) {
     if (row == nullptr || !row->is_in(scene)) {
         std::string keys;
         for (const ChangeableRow& each : all_changeable())
-            if (each.is_in(scene)) keys += " " + std::string(each.key);
+            if (each.is_in(scene)) keys += fmt::format(" {}", each.key);
         throw Error(Loc{scene.file, 0, 0},
                     fmt::format("'{}' cannot be changed while this run goes on", change.key),
                     "what can be changed:" + keys);
