@@ -11,8 +11,10 @@ RunSurvey::RunSurvey(const RunHeader& header) {
 }
 
 void RunSurvey::add(const Snapshot& snapshot) {
-    if (render::shows_field(snapshot))
+    if (render::shows_field(snapshot)) {
+        has_mechanics_ = true;
         for (std::size_t f = 0; f < finders_.size(); ++f) finders_[f].add(snapshot.fields[f]);
+    }
     if (!summaries_.empty() && snapshot.time_s > summaries_.back().time_s)
         smallest_interval_s_ =
             std::min(smallest_interval_s_, snapshot.time_s - summaries_.back().time_s);
@@ -38,7 +40,8 @@ render::View RunSurvey::view_of(const Snapshot& snapshot, const scene::Picture& 
     const int field = render::find_picture_field(*snapshot.header, picture);
     if (field >= 0 && picture.range == "given")
         view.range = render::Range{picture.given_range[0], picture.given_range[1]};
-    if (knows_all && picture.range == "run")
+    // A look at a run that has only beads so far has its own range.
+    if (knows_all && picture.range == "run" && (has_mechanics_ || snapshot.frame >= 0))
         view.range =
             field < 0 ? render::Range{} : finders_[static_cast<std::size_t>(field)].range();
     return view;

@@ -30,6 +30,7 @@ class RunSurvey {
     std::vector<render::RangeFinder> finders_;  // one for each field
     std::vector<double> extent_um_;
     std::vector<FrameSummary> summaries_;
+    bool has_mechanics_ = false;
     double smallest_interval_s_ = std::numeric_limits<double>::infinity();
 };
 

@@ -198,7 +198,8 @@ TEST_F(Panel, APauseOfTheEngineIsOneAndEachStepIsSingle) {
 TEST_F(Panel, WhatIsChangedInALiveRunIsRepeatedToTheBitWithoutADisplay) {
     const Outcome outcome =
         show_live("xdotool key n; until_log 'stage 1, compact, begins'; settle\n"
-                  "xdotool mousemove 1500 150 click 1; settle\n"
+                  // the first slider of the panel of the engine, right of its middle
+                  "xdotool mousemove 1500 108 click 1; settle\n"
                   "xdotool key space; until_log 'the run is over'\n"
                   "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
