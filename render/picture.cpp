@@ -49,13 +49,14 @@ std::string status_text(const Snapshot& snapshot, int time_decimals) {
     return fmt::format("seeding   {:.0f} %", 100.0 * snapshot.stage_progress);
 }
 
-std::vector<std::string> notes(const Totals& totals) {
+std::vector<std::string> notes(const Snapshot& snapshot) {
+    const Totals& totals = snapshot.totals;
     std::vector<std::string> lines;
     if (std::isfinite(totals.coordination_Z) && totals.coordination_Z > 0.0)
         lines.push_back(fmt::format("Z = {:.1f}", totals.coordination_Z));
     if (std::isfinite(totals.contact_fraction) && totals.contact_fraction > 0.0)
         lines.push_back(fmt::format("contact area {:.0f} %", 100.0 * totals.contact_fraction));
-    if (std::isfinite(totals.probe_force_nN)) {
+    if (snapshot.load.probe.acts()) {
         lines.push_back(fmt::format("bead {:.1f} nN", totals.probe_force_nN));
         lines.push_back(fmt::format("way {:.2f} µm", totals.probe_way_um));
     }
@@ -257,7 +258,7 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
     const bool has_mechanics = shows_field(snapshot);
     const bool draws_network = has_mechanics && h.picture.network;
     if (has_mechanics) {
-        furniture.notes = notes(snapshot.totals);
+        furniture.notes = notes(snapshot);
         furniture.field = h.field;
     }
     furniture.range = h.choose_range(snapshot, view);

@@ -365,7 +365,24 @@ PlotArea area_of(const reports::Plot::Panel& panel, vtkChartXY* chart) {
     return area;
 }
 
+/// Axes of a chart without any line are not drawn; this one is not seen.
+void add_unseen_line(vtkChartXY* chart) {
+    vtkNew<vtkTable> table;
+    for (const char* name : {"x", "y"}) {
+        vtkNew<vtkDoubleArray> zeros;
+        zeros->SetName(name);
+        for (int i = 0; i < 2; ++i) zeros->InsertNextValue(0.0);
+        table->AddColumn(zeros);
+    }
+    auto* const line = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+    line->SetInputData(table, 0, 1);
+    line->GetPen()->SetLineType(vtkPen::NO_PEN);
+    line->SetMarkerStyle(static_cast<int>(vtkPlotPoints::NONE));
+    line->SetLegendVisibility(false);
+}
+
 void add_lines(const reports::Plot::Panel& panel, const Styles& styles, const PlotArea& area) {
+    if (panel.map) add_unseen_line(area.chart);
     for (const reports::Plot::Series& series : panel.series) {
         if (series.x.empty()) continue;
         vtkNew<vtkTable> table;

@@ -40,7 +40,8 @@ void for_each_overlap(const Configuration& at, int cell, double k_kPa_per_um, Vi
     if (near.empty()) return;
     for (int i = 0; i < view.mesh.n_nodes(); ++i) {
         const NearestInside inside = nearest_inside(near, view.x(i));
-        if (inside.n_across == 0) continue;
+        // a coordinate that is not a number is not inside
+        if (inside.n_across == 0 && view.x(i).allFinite()) continue;
         const double area =
             view.R_um * view.R_um * view.model.unit_node_area[static_cast<std::size_t>(i)];
         visit(i, k_kPa_per_um * area, view.x(i), inside);

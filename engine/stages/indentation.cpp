@@ -12,7 +12,9 @@ namespace spheroscope {
 namespace {
 
 constexpr double k_steady_speed_um_per_s = 5e-4;
-constexpr double k_steady_part = 1e-3;  // of the probe's force
+// Of the probe's force: half of what the end is to balance to, as a step's forces are those of its
+// start.
+constexpr double k_steady_part = 5e-4;
 constexpr double k_steady_s = 2.0;
 
 /// The cells' centres (means of their nodes), weighted with their volumes.

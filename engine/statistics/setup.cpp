@@ -63,10 +63,11 @@ Setup setup_of(const RunHeader& header) {
         scene.contact && scene.contact->adhesive && scene.contact->omega_nN_per_um > 0.0;
     setup.omega_nN_per_um = is_adhesive ? scene.contact->omega_nN_per_um : k_undefined;
     setup.W_nN_per_um = is_adhesive ? scene.contact->W_nN_per_um : k_undefined;
+    setup.gamma_nN_per_um =
+        scene.cortex.tension ? scene.cortex.tension->gamma_nN_per_um : k_undefined;
+    setup.thickness_um = scene.cortex.thickness_um;
     setup.E_kPa = scene.cortex.elastic ? scene.cortex.elastic->E_kPa : k_undefined;
-    setup.gamma_over_omega = scene.cortex.tension
-                                 ? scene.cortex.tension->gamma_nN_per_um / setup.omega_nN_per_um
-                                 : k_undefined;
+    setup.gamma_over_omega = setup.gamma_nN_per_um / setup.omega_nN_per_um;
     setup.Et_over_omega = setup.E_kPa * scene.cortex.thickness_um / setup.omega_nN_per_um;
     if (scene.contact) {
         setup.law = scene.contact->law == scene::ContactLaw::traction ? "traction" : "variational";

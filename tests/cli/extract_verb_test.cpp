@@ -38,7 +38,8 @@ TEST_F(ExtractVerb, SceneItWritesRunsAndBeginsWithTheForceOfTheContact) {
     const json made = document({"extract", "o/run.h5", "--contact", name, "--duration", "0.1 s",
                                 "-o", "pair.toml", "--json"});
     EXPECT_NEAR(made["centre_force_nN"].get<double>(), force_nN, 1e-6 * std::abs(force_nN));
-    EXPECT_EQ(names_in("."), (std::vector<std::string>{"o", "pair.h5", "pair.toml", "scene.toml"}));
+    EXPECT_EQ(names_in("."), (std::vector<std::string>{".err.txt", ".out.txt", "o", "pair.h5",
+                                                       "pair.toml", "scene.toml"}));
     EXPECT_EQ(call({"check", "pair.toml"}).code, 0);
     EXPECT_EQ(call({"run", "pair.toml", "-o", "pair", "--quiet", "--threads", "1"}).code, 0);
     const json pair = document({"inspect", "pair/run.h5", "--frame", "0", "--json", "--quiet"});
@@ -53,7 +54,7 @@ TEST_F(ExtractVerb, WrongInputIsRefusedAndNothingIsWritten) {
     expect_refused({"--contact", "0-1", "--duration", "3 um"},
                    "--duration wants a time above zero");
     expect_refused({"--contact", "0-1", "-o", "pair.h5"}, "-o wants the name of a scene (.toml)");
-    EXPECT_EQ(names_in("."), (std::vector<std::string>{"o", "scene.toml"}));
+    EXPECT_EQ(names_in("."), (std::vector<std::string>{".err.txt", ".out.txt", "o", "scene.toml"}));
     write_file("pair.toml", "mine");
     expect_refused({"--contact", "0-1", "-o", "pair.toml"},
                    "pair.toml: this file is there already");

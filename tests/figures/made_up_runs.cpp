@@ -45,6 +45,8 @@ statistics::RunStatistics made_up_run(double gamma_over_omega, double Et_over_om
     // Quantiles of an exponential law.
     for (int i = 0; i < 600; ++i)
         run.pairs.push_back({i % 100, 100, -std::log((i + 0.5) / 600.0), 5.0});
+    run.load = {
+        {1.0, 0.5, 5.0, 4.9, 0.02}, {2.0, 1.0, 10.0, 9.9, 0.01}, {3.0, 1.5, 15.0, 15.0, 0.0}};
     return run;
 }
 

@@ -29,8 +29,8 @@ TEST(HertzProbe, PressesASphereWithHertzsForceOfItsDepth) {
         const double expected = 4.0 / 3.0 * 20.0 * std::sqrt(R_eff_um) * std::pow(depth_um, 1.5);
         const double got = -hertz().sum_nN(cell.at()).z();
         // The overlap of two spheres is a lens of volume pi R_eff d^2 up to d/R, and pushes along
-        // its normals, not along z.
-        EXPECT_NEAR(got / expected, 1.0, 0.05) << depth_um;
+        // its normals, not along z; a shallow one is of few facets.
+        EXPECT_NEAR(got / expected, 1.0, depth_um < 1.0 ? 0.1 : 0.05) << depth_um;
     }
 }
 

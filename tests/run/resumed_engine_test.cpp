@@ -157,7 +157,7 @@ TEST(ResumedEngine, ContinuesToTheBitWithThePapersMethod) {
 }
 
 TEST(ResumedEngine, ContinuesToTheBitFromACoarseStartToAFineEnd) {
-    const scene::Scene scene = scene::parse_scene(k_scene, "scene.toml",
+    const scene::Scene scene = scene::parse_scene(without_indentation(), "scene.toml",
                                                   {{"cells.nodes", "162"},
                                                    {"stage[0].nodes", "42"},
                                                    {"stage[1].nodes", "42"},
@@ -179,7 +179,7 @@ TEST(ResumedEngine, ContinuesToTheBitFromACoarseStartToAFineEnd) {
     expect_same(stopped, whole);
     // Most of the work is done on the coarse mesh, and all of it is counted.
     const Record fine =
-        run_scene(scene::parse_scene(k_scene, "scene.toml",
+        run_scene(scene::parse_scene(without_indentation(), "scene.toml",
                                      {{"cells.nodes", "162"}, {"stage[4].cap", "0.1 s"}}),
                   0);
     EXPECT_LT(whole.result.work.contact_pairs, fine.result.work.contact_pairs / 2);
@@ -190,15 +190,16 @@ TEST(ResumedEngine, ContinuesToTheBitFromACoarseStartToAFineEnd) {
 }
 
 TEST(ResumedEngine, OfOtherCellsIsRefused) {
-    const scene::Scene scene = scene::parse_scene(k_scene, "scene.toml");
-    const scene::Scene other = scene::parse_scene(k_scene, "scene.toml", {{"scene.seed", "2"}});
+    const scene::Scene scene = scene::parse_scene(without_indentation(), "scene.toml");
+    const scene::Scene other =
+        scene::parse_scene(without_indentation(), "scene.toml", {{"scene.seed", "2"}});
     const Engine first(scene, {});
     Engine second(other, {});
     EXPECT_THROW(second.resume(first.state()), Error);
 }
 
 TEST(ResumedEngine, EndsWithTheReasonOfAReaderThatFails) {
-    const scene::Scene scene = scene::parse_scene(k_scene, "scene.toml");
+    const scene::Scene scene = scene::parse_scene(without_indentation(), "scene.toml");
     Engine engine(scene, EngineOptions{.threads = 1, .version = "", .command_line = ""});
     int n_frames = 0, n_checkpoints_after = 0;
     EngineSinks sinks;

@@ -93,6 +93,8 @@ TEST(SetupOfARun, IsTheSameForAnotherSeedAndNoOther) {
     EXPECT_EQ(setup.n_nodes, 42);
     EXPECT_EQ(setup.law, "traction");
     EXPECT_TRUE(setup.is_in_table_2());
+    EXPECT_TRUE(setup.is_in_table_2(setup.gamma_over_omega, setup.Et_over_omega));
+    EXPECT_FALSE(setup.is_in_table_2(8.0, 0.125));
     EXPECT_FALSE(with("cortex.elastic.E", "0.039").is_in_table_2());
 }
 
