@@ -34,8 +34,8 @@ struct GivenCells {
                                              const std::optional<GivenCells>& given);
 
 /// Node positions at the start; for a packing all zero until the beads are replaced.
-/// Throws Error when given cells are inside out, not finite, or do not fit the scene's mesh, or when
-/// held forces are asked for that are not given.
+/// Throws Error when given cells are inside out, not finite, or do not fit the scene's mesh, or
+/// when held forces are asked for that are not given.
 [[nodiscard]] std::vector<Vec3> start_positions(const scene::Scene& scene, const Model& model,
                                                 const std::optional<GivenCells>& given);
 
