@@ -20,12 +20,20 @@ struct JournalHead {
     std::array<char, 8> magic;
     std::uint64_t n_pages;
     std::uint64_t size;  // of the file after the commit
-    std::uint64_t
-        first_page_before;           // checksums of the file's first page: the journal belongs to a
-    std::uint64_t first_page_after;  // file only if the first page is one of these
-    std::uint64_t checksum;          // of all the rest, this being 0
+    // The journal belongs to a file only if each byte of the file's first page is one of these two:
+    // a writer killed while it brings that page leaves a part of each.
+    std::array<std::byte, 4096> first_page_before;
+    std::array<std::byte, 4096> first_page_after;
+    std::uint64_t checksum;  // of all the rest, this being 0
 };
-constexpr std::array<char, 8> k_journal_magic{'s', 'p', 'h', 'j', 'r', 'n', 'l', '1'};
+constexpr std::array<char, 8> k_journal_magic{'s', 'p', 'h', 'j', 'r', 'n', 'l', '2'};
+
+bool belongs_to(const JournalHead& head, std::span<const std::byte> first_page) {
+    for (std::size_t i = 0; i < first_page.size(); ++i)
+        if (first_page[i] != head.first_page_before[i] && first_page[i] != head.first_page_after[i])
+            return false;
+    return true;
+}
 
 /// Places far behind any data that stand for the two locks. Open-file-description locks end with
 /// their descriptor, so a killed program leaves none behind.
@@ -224,8 +232,7 @@ void AtomicFile::lock_as_writer(int descriptor) const {
 void AtomicFile::take_over_journal() {
     const std::string name = journal_path(path_);
     if (const auto journal = read_journal(name, k_page_bytes)) {
-        const std::uint64_t first = first_page_checksum();
-        if (first == journal->head.first_page_before || first == journal->head.first_page_after) {
+        if (belongs_to(journal->head, first_page())) {
             for (std::size_t p = 0; p < journal->page_numbers.size(); ++p)
                 std::memcpy(pages_[journal->page_numbers[p]].data(),
                             journal->pages.data() + p * k_page_bytes, k_page_bytes);
@@ -241,10 +248,10 @@ void AtomicFile::take_over_journal() {
     unlink(name.c_str());
 }
 
-std::uint64_t AtomicFile::first_page_checksum() const {
+AtomicFile::Page AtomicFile::first_page() const {
     Page page{};
     if (!read_all(descriptor_, page, 0)) fail("read it", errno);
-    return checksum(page);
+    return page;
 }
 
 bool AtomicFile::read(std::uint64_t address, std::span<std::byte> out) const {
@@ -345,10 +352,9 @@ bool AtomicFile::write_journal() const {
     head.magic = k_journal_magic;
     head.n_pages = numbers.size();
     head.size = size_;
-    head.first_page_before = first_page_checksum();
+    head.first_page_before = first_page();
     const auto first = pages_.find(0);
-    head.first_page_after =
-        first == pages_.end() ? head.first_page_before : checksum(first->second);
+    head.first_page_after = first == pages_.end() ? head.first_page_before : first->second;
     const std::span<const std::byte> number_bytes = std::as_bytes(std::span(numbers));
     head.checksum = checksum_of(head, number_bytes, pages);
 

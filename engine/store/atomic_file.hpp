@@ -71,7 +71,7 @@ class AtomicFile {
     void write_new_pages() const;
     [[nodiscard]] bool write_journal() const;
     void apply_old_pages() const;
-    [[nodiscard]] std::uint64_t first_page_checksum() const;
+    [[nodiscard]] Page first_page() const;
     [[noreturn]] void fail(const std::string& wanted, int error) const;
 
     std::string path_;
