@@ -57,7 +57,9 @@ TEST(EveryFigure, HasAxesWithTitlesAndEachDrawnPointInItsTable) {
             EXPECT_FALSE(panel.y_title.empty());
             for (const reports::Plot::Series& series : panel.series) {
                 EXPECT_EQ(series.x.size(), series.y.size());
-                if (!series.error.empty()) EXPECT_EQ(series.error.size(), series.y.size());
+                if (!series.error.empty()) {
+                    EXPECT_EQ(series.error.size(), series.y.size());
+                }
                 if (series.colour_of.empty()) n_points += series.x.size();
                 for (const double y : series.y) EXPECT_TRUE(std::isfinite(y)) << row.name;
             }

@@ -21,7 +21,7 @@ struct Polyhedron {
         const Random random(seed, 1);
         for (int i = 0; i < n_planes; ++i) {
             Vec3 normal;
-            for (std::uint64_t k = 0; k < 3; ++k)
+            for (std::uint32_t k = 0; k < 3; ++k)
                 normal[static_cast<Eigen::Index>(k)] =
                     random.uniform(static_cast<std::uint64_t>(i), k) - 0.5;
             planes.push_back({normal.normalized(),

@@ -83,11 +83,13 @@ Squeezed on_mesh(int n_nodes, double half_height_um) {
     Hull planes;
     planes.planes = {{Vec3::UnitZ(), half_height_um}, {-Vec3::UnitZ(), half_height_um}};
     state.load.hull = std::make_shared<const Hull>(std::move(planes));
-    const auto method = make_equilibrium({.dt_s = 1e-3,
-                                          .dt_max_s = 1.0,
-                                          .tolerance_um = 1.0,
-                                          .displacement_bound_um = 0.1,
-                                          .linear_tolerance = 1e-4});
+    MethodParameters parameters;
+    parameters.dt_s = 1e-3;
+    parameters.dt_max_s = 1.0;
+    parameters.tolerance_um = 1.0;
+    parameters.displacement_bound_um = 0.1;
+    parameters.linear_tolerance = 1e-4;
+    const auto method = make_equilibrium(parameters);
     double force_nN = 0.0;
     for (int step = 0; step < 400; ++step) {
         const StepOutcome outcome = method->advance(system, state, 1e9, false);
