@@ -12,9 +12,7 @@ namespace spheroscope {
 namespace {
 
 constexpr double k_steady_speed_um_per_s = 5e-4;
-// Of the probe's force: half of what the end is to balance to, as a step's forces are those of its
-// start.
-constexpr double k_steady_part = 5e-4;
+constexpr double k_steady_part = 1e-3;  // of the probe's force
 constexpr double k_steady_s = 2.0;
 
 /// The cells' centres (means of their nodes), weighted with their volumes.
@@ -103,6 +101,10 @@ StageEnd Indentation::after_step(StageContext& context) const {
     if (parameters_.until == scene::Until::duration)
         return now_s >= latest_end_s(context) ? StageEnd::done : StageEnd::none;
     const Probe& probe = context.state.load.probe;
+    // The forces where the step has ended, which the next one begins with, so they cost nothing.
+    // What is not finite in them is found again, and reported, by that step.
+    static_cast<void>(context.system.evaluate(context.state.x_um, context.state.volume_integral_s,
+                                              0.0, context.state.load));
     const Configuration at = context.system.configuration();
     Vec3 sum_nN = Vec3::Zero();
     for (const Vec3& f : context.system.force_nN()) sum_nN += f;

@@ -80,11 +80,14 @@ TEST_F(LoadedDoublet, IsSolvedLikeADenseSystemWithOneMoreUnknown) {
         // single precision of the elements, times what the long step amplifies
         EXPECT_NEAR(coupling.speed_um_per_s(), expected[n], 1e-3 * std::abs(expected[n]));
         EXPECT_LT((reference::flat(v) - expected.head(n)).norm(), 1e-3 * expected.head(n).norm());
-        // A loose tolerance costs digits of this speed, and is not multiplied by the stiffness of
-        // the contacts over the friction, dt G/zeta, which is some hundreds in the longest step.
+        // A tolerance of 1e-3 costs digits of this speed, the more the longer the step: 6e-5, 0.035
+        // and 0.30 of it. Scenes with a probe want 1e-4.
         std::vector<Vec3> rough(b.size(), Vec3::Zero());
         ASSERT_TRUE(coupling.solve(system_, state_, dt_s, coefficient, b, rough, 1e-3).converged);
-        EXPECT_NEAR(coupling.speed_um_per_s(), expected[n], 0.5 * std::abs(expected[n]));
+        const double allowed = dt_s < 0.01 ? 1e-3 : dt_s < 1.0 ? 0.1 : 0.5;
+        EXPECT_NEAR(coupling.speed_um_per_s(), expected[n], allowed * std::abs(expected[n]));
+        ASSERT_TRUE(coupling.solve(system_, state_, dt_s, coefficient, b, rough, 1e-5).converged);
+        EXPECT_NEAR(coupling.speed_um_per_s(), expected[n], 0.02 * std::abs(expected[n]));
     }
 }
 
