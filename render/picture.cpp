@@ -1,9 +1,12 @@
 #include "render/picture.hpp"
 
+#include "engine/run/exploded.hpp"
+#include "engine/run/principal_stress.hpp"
 #include "render/layers/cell_surfaces.hpp"
 #include "render/layers/compose.hpp"
 #include "render/layers/furniture.hpp"
 #include "render/layers/load_surfaces.hpp"
+#include "render/layers/stress_axes.hpp"
 #include "render/osmesa_context.hpp"
 
 #include <fmt/format.h>
@@ -118,7 +121,26 @@ int find_picture_field(const RunHeader& header, const scene::Picture& picture) {
                 "fields of this run: " + (held.empty() ? "none" : held));
 }
 
+bool holds_stress_axes(const RunHeader& header) {
+    return find_stress_components(header).has_value();
+}
+
 namespace {
+
+void check_axes(const RunHeader& header, const scene::Picture& picture) {
+    if (picture.stress_axes && !holds_stress_axes(header))
+        throw Error(picture.loc,
+                    fmt::format("picture '{}' wants the axes of stress, whose components the run "
+                                "does not hold",
+                                picture.name),
+                    fmt::format("a scene whose picture says stress_axes = true stores them; or "
+                                "measures.fields = [{}]",
+                                fmt::join(scene::k_stress_components, ", ")));
+}
+
+double mean_radius_um(const RunHeader& header) {
+    return std::accumulate(header.radius_um.begin(), header.radius_um.end(), 0.0) / header.n_cells;
+}
 
 /// Drawn pixels along each side of a final one.
 int most_samples(const scene::Picture& picture) { return picture.smooth ? 2 : 1; }
@@ -133,9 +155,11 @@ struct Renderer::Hidden {
     OsmesaContext context;  // before the layers: they are destroyed first
     CellSurfaces surfaces;
     std::unique_ptr<ForceNetwork> network;
+    std::unique_ptr<StressAxes> stress_axes;
+    std::optional<StressComponents> stress_components;
     std::unique_ptr<LoadSurfaces> load;  // made when the first probe comes
     TextPainter text;
-    Buffers cells_drawn, network_drawn, load_drawn;
+    Buffers cells_drawn, network_drawn, axes_drawn, load_drawn;
 
     Hidden(std::shared_ptr<const RunHeader> run, const scene::Picture& wanted)
         : header(std::move(run)), context(most_samples(wanted) * wanted.size_px[0],
@@ -147,10 +171,11 @@ struct Renderer::Hidden {
         field_index = find_picture_field(*header, wanted);
         field = field_index < 0 ? nullptr : header->fields[static_cast<std::size_t>(field_index)];
         picture = wanted;
-        if (picture.network && network == nullptr) {
-            const double sum =
-                std::accumulate(header->radius_um.begin(), header->radius_um.end(), 0.0);
-            network = std::make_unique<ForceNetwork>(sum / header->n_cells);
+        if (picture.network && network == nullptr)
+            network = std::make_unique<ForceNetwork>(mean_radius_um(*header));
+        if (picture.stress_axes && stress_axes == nullptr) {
+            stress_axes = std::make_unique<StressAxes>(mean_radius_um(*header));
+            stress_components = find_stress_components(*header);
         }
     }
 
@@ -180,6 +205,8 @@ struct Renderer::Hidden {
                       Furniture& furniture);
     void draw_network(const Snapshot& snapshot, const Camera& camera, double reach_um, bool cutaway,
                       Furniture& furniture);
+    void draw_stress_axes(const Snapshot& snapshot, const std::vector<int>& cells,
+                          const Camera& camera, double reach_um, Furniture& furniture);
     void draw_load(const Snapshot& snapshot, const Camera& camera, double reach_um, bool cutaway);
 };
 
@@ -209,6 +236,15 @@ void Renderer::Hidden::draw_network(const Snapshot& snapshot, const Camera& came
     add_network(cells_drawn, network_drawn, cutaway ? 0.25 : 0.65);
 }
 
+void Renderer::Hidden::draw_stress_axes(const Snapshot& snapshot, const std::vector<int>& cells,
+                                        const Camera& camera, double reach_um,
+                                        Furniture& furniture) {
+    furniture.longest_axis_kPa = stress_axes->update(snapshot, *stress_components, cells);
+    context.draw(stress_axes->actor(), camera, reach_um, axes_drawn);
+    // All rods are inside of cells.
+    add_network(cells_drawn, axes_drawn, 0.75);
+}
+
 void Renderer::Hidden::draw_load(const Snapshot& snapshot, const Camera& camera, double reach_um,
                                  bool cutaway) {
     if (!load) load = std::make_unique<LoadSurfaces>();
@@ -226,6 +262,7 @@ void Renderer::Hidden::draw_load(const Snapshot& snapshot, const Camera& camera,
 Renderer::Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture) {
     check_picture(picture);
     static_cast<void>(find_picture_field(*header, picture));  // before OpenGL is asked for anything
+    check_axes(*header, picture);
     hidden_ = std::make_unique<Hidden>(std::move(header), picture);
 }
 
@@ -233,13 +270,23 @@ Renderer::~Renderer() = default;
 
 void Renderer::set_picture(const scene::Picture& picture) {
     check_picture(picture);
+    check_axes(*hidden_->header, picture);
     hidden_->set_picture(picture);
 }
 
 Image Renderer::render(const Snapshot& snapshot, const View& view) {
-    Hidden& h = *hidden_;
-    SPHEROSCOPE_ASSERT(snapshot.centre_um.size() == 3 * static_cast<std::size_t>(h.header->n_cells),
+    SPHEROSCOPE_ASSERT(snapshot.centre_um.size() ==
+                           3 * static_cast<std::size_t>(hidden_->header->n_cells),
                        "the snapshot belongs to the renderer's run");
+    const double share = hidden_->picture.exploded;
+    if (!(share > 0.0)) return draw(snapshot, view);
+    View of_all = view;
+    if (!view.fit_radius_um) of_all.fit_radius_um = shown_extent_um(snapshot);
+    return draw(exploded(snapshot, share), of_all);
+}
+
+Image Renderer::draw(const Snapshot& snapshot, const View& view) {
+    Hidden& h = *hidden_;
     const int n_samples = view.quality == Quality::full ? most_samples(h.picture) : 1;
     h.context.set_size(n_samples * h.picture.size_px[0], n_samples * h.picture.size_px[1]);
     const Camera final_camera = camera(snapshot, view);
@@ -264,12 +311,15 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
     furniture.range = h.choose_range(snapshot, view);
     furniture.range_is_of_this_frame =
         h.field != nullptr && !view.range && h.picture.range != "given";
-    furniture.paleness = draws_network ? k_paleness_behind_network : 0.0;
+    const bool draws_axes = has_mechanics && h.picture.stress_axes;
+    furniture.paleness = draws_network || draws_axes ? k_paleness_behind_network : 0.0;
 
     const bool cutaway = view.cutaway.value_or(h.picture.cutaway);
-    h.colour_cells(snapshot, h.drawn_cells(snapshot, final_camera, cutaway), furniture);
+    const std::vector<int> cells = h.drawn_cells(snapshot, final_camera, cutaway);
+    h.colour_cells(snapshot, cells, furniture);
     h.context.draw(h.surfaces.actor(), drawn_camera, reach_um, h.cells_drawn);
     if (snapshot.load.probe.acts()) h.draw_load(snapshot, drawn_camera, reach_um, cutaway);
+    if (draws_axes) h.draw_stress_axes(snapshot, cells, drawn_camera, reach_um, furniture);
     if (draws_network) h.draw_network(snapshot, drawn_camera, reach_um, cutaway, furniture);
     Image image = make_image(h.cells_drawn, n_samples, drawn_camera.px_per_um);
     draw_furniture(image, h.text, furniture);
@@ -283,8 +333,12 @@ Camera Renderer::camera(const Snapshot& snapshot, const View& view) const {
         make_camera(aggregate_centre_um(snapshot),
                     h.picture.azimuth_deg + view.turned_deg + view.progress * h.picture.orbit_deg,
                     h.picture.elevation_deg);
-    const double free_width = width - key_column_px(height, h.field != nullptr, h.picture.network);
-    const double radius_um = view.fit_radius_um ? *view.fit_radius_um : shown_extent_um(snapshot);
+    const double free_width = width - key_column_px(height, h.field != nullptr,
+                                                    h.picture.network || h.picture.stress_axes);
+    // No node of the aggregate pulled apart is farther out than this; extents are those of frames
+    // as they are.
+    const double radius_um = (1.0 + h.picture.exploded) *
+                             (view.fit_radius_um ? *view.fit_radius_um : shown_extent_um(snapshot));
     camera.px_per_um = k_filled_share * 0.5 * std::min<double>(height, free_width) / radius_um;
     camera.centre_x_px = 0.5 * free_width;
     camera.centre_y_px = 0.5 * height + 8.0 * writing_scale(height);  // room for the title

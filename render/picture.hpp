@@ -46,7 +46,7 @@ struct View {
 /// the same input. One thread makes, uses and destroys it.
 class Renderer {
   public:
-    /// Throws Error when the picture wants a field that the run does not hold, has a bad size or an
+    /// Throws Error when the picture wants a field, or axes, that the run does not hold, has a bad size or an
     /// empty range (usage), or when nothing can be drawn here (environment).
     Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture);
     ~Renderer();
@@ -70,9 +70,14 @@ class Renderer {
     [[nodiscard]] const scene::Picture& picture() const;
 
   private:
+    [[nodiscard]] Image draw(const Snapshot& snapshot, const View& view);
+
     struct Hidden;
     std::unique_ptr<Hidden> hidden_;
 };
+
+/// Whether a run holds what `stress_axes` draws.
+[[nodiscard]] bool holds_stress_axes(const RunHeader& header);
 
 /// The field of a picture in a run: its index, or -1 for plain cells. Throws Error (usage) when the
 /// run does not hold it.

@@ -61,6 +61,8 @@ std::string description_text(const scene::Picture& p, const View& view) {
                         {"given_range", p.given_range},
                         {"cutaway", p.cutaway},
                         {"network", p.network},
+                        {"stress_axes", p.stress_axes},
+                        {"exploded", p.exploded},
                         {"azimuth", p.azimuth_deg},
                         {"elevation", p.elevation_deg},
                         {"orbit", p.orbit_deg},
@@ -88,6 +90,8 @@ Description parse_description(const std::string& text) {
         json.at("given_range").get_to(p.given_range);
         json.at("cutaway").get_to(p.cutaway);
         json.at("network").get_to(p.network);
+        json.at("stress_axes").get_to(p.stress_axes);
+        json.at("exploded").get_to(p.exploded);
         json.at("azimuth").get_to(p.azimuth_deg);
         json.at("elevation").get_to(p.elevation_deg);
         json.at("orbit").get_to(p.orbit_deg);

@@ -1,8 +1,9 @@
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/log.hpp"
+#include "engine/cli/measured_runs.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/cli/seed_means_text.hpp"
-#include "engine/store/run_file.hpp"
+#include "engine/statistics/setup_numbers.hpp"
 #include "render/figures/figure.hpp"
 #include "render/plot.hpp"
 #include "render/verbs.hpp"
@@ -41,36 +42,15 @@ struct Runs {
     std::vector<LeftOut> left_out;
 };
 
-/// The frames in which a bead presses; none if it does not in the last one.
-std::vector<statistics::LoadPoint> load_of(const RunFileReader& reader, const Snapshot& last) {
-    std::vector<statistics::LoadPoint> load;
-    if (std::isnan(last.totals.probe_force_nN)) return load;
-    for (int i = 0; i < reader.n_frames(); ++i) {
-        const SnapshotPtr frame = reader.frame(i);
-        const Totals& t = frame->totals;
-        if (!std::isnan(t.probe_force_nN))
-            load.push_back({frame->time_s, t.probe_way_um, t.probe_force_nN, t.hull_force_nN,
-                            t.load_imbalance});
-    }
-    return load;
-}
-
 /// A file that cannot be read as a run is the user's mistake; a run that holds nothing to measure
 /// is left out, with its reason.
 Runs measure_files(const std::vector<std::string>& files) {
     Runs runs;
     for (const std::string& file : files) {
-        const RunFileReader reader(file);
         try {
-            if (reader.n_frames() == 0) throw Error("it has no frames yet");
-            const SnapshotPtr last = reader.frame(reader.n_frames() - 1);
-            RunStatistics run = statistics::measure_run(last);
-            run.load = load_of(reader, *last);
-            run.file = file;
-            run.outcome = reader.outcome();
-            runs.measured.push_back(std::move(run));
+            runs.measured.push_back(cli::measure_stored_run(file));
             spdlog::info("{}: measured", file);
-        } catch (const Error& error) {
+        } catch (const cli::NothingToMeasure& error) {
             runs.left_out.push_back({file, error.what()});
         }
     }
@@ -192,7 +172,7 @@ nlohmann::json json_of(const SetupStatistics& setup) {
                         {"stage", run.stage_name},
                         {"time_s", run.time_s}});
     nlohmann::json numbers = nlohmann::json::object();
-    for (const figures::SetupNumber& number : figures::numbers_of(setup))
+    for (const statistics::SetupNumber& number : statistics::numbers_of(setup))
         numbers[number.name] = {
             {"unit", number.unit},
             {"mean", cli::number_or_null(number.estimate.mean)},
@@ -206,7 +186,7 @@ reports::ReportTable table_of(const std::vector<SetupStatistics>& setups) {
     reports::ReportTable table;
     table.columns = {{"setup"}, {"number"}, {"unit"}, {"mean"}, {"standard_error"}, {"seeds"}};
     for (const SetupStatistics& setup : setups)
-        for (const figures::SetupNumber& number : figures::numbers_of(setup))
+        for (const statistics::SetupNumber& number : statistics::numbers_of(setup))
             table.rows.push_back({setup.label, number.name, number.unit, number.estimate.mean,
                                   number.estimate.standard_error, std::int64_t{number.estimate.n}});
     return table;
@@ -218,7 +198,7 @@ std::string text_of(const SetupStatistics& setup) {
         seeds += fmt::format("{}{} ({})", seeds.empty() ? "" : ", ", run.seed,
                              run.outcome.empty() ? "not ended" : run.outcome);
     std::string text = fmt::format("{}\n  {:<32} {}\n", setup.label, "seeds", seeds);
-    for (const figures::SetupNumber& number : figures::numbers_of(setup))
+    for (const statistics::SetupNumber& number : statistics::numbers_of(setup))
         text += fmt::format("  {:<32} {}{}\n", number.name,
                             cli::with_error(number.estimate.mean, number.estimate.standard_error),
                             number.unit == "1" || number.estimate.n == 0 ? "" : " " + number.unit);

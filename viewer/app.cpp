@@ -2,6 +2,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/run/exploded.hpp"
 #include "render/png.hpp"
 #include "render/provenance.hpp"
 #include "viewer/live_run.hpp"
@@ -214,7 +215,9 @@ void App::act(Action action) {
 
 void App::pick_at(const Sight& sight) {
     const Clock::time_point begin = Clock::now();
-    model_.selection = pick(*shown_->request.snapshot, sight);
+    const double share = shown_->request.picture.exploded;
+    model_.selection = share > 0.0 ? pick(exploded(*shown_->request.snapshot, share), sight)
+                                   : pick(*shown_->request.snapshot, sight);
     report_.longest_pick_s = std::max(report_.longest_pick_s, seconds_since(begin));
     if (model_.selection)
         spdlog::info("picked node {} of cell {}", model_.selection->node, model_.selection->cell);

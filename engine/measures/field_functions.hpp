@@ -16,6 +16,12 @@ void compute_sigma_tangential(const MeasureInput& input, std::span<float> out);
 void compute_anisotropic_max(const MeasureInput& input, std::span<float> out);
 void compute_anisotropic_mean(const MeasureInput& input, std::span<float> out);
 void compute_pressure(const MeasureInput& input, std::span<float> out);
+void compute_stress_xx(const MeasureInput& input, std::span<float> out);
+void compute_stress_yy(const MeasureInput& input, std::span<float> out);
+void compute_stress_zz(const MeasureInput& input, std::span<float> out);
+void compute_stress_xy(const MeasureInput& input, std::span<float> out);
+void compute_stress_xz(const MeasureInput& input, std::span<float> out);
+void compute_stress_yz(const MeasureInput& input, std::span<float> out);
 void compute_neighbours(const MeasureInput& input, std::span<float> out);
 
 }  // namespace spheroscope

@@ -9,7 +9,7 @@ namespace spheroscope {
 std::span<const Field> all_fields() {
     using enum RangeKind;
     static constexpr std::string_view paper = "Cuvelier et al. 2021";
-    static constexpr std::array<Field, 11> rows{{
+    static constexpr std::array<Field, 17> rows{{
         {"sigma_h", "σ^h", "kPa", "Pa", 1e3, Place::cell, signed_about_zero, "",
          "hydrostatic stress of a cell, from its contact forces; tension positive",
          "Cuvelier et al. 2021, eqn (4)", compute_sigma_h, Requires::contact},
@@ -41,6 +41,24 @@ std::span<const Field> all_fields() {
          compute_pressure, Requires::cytosol},
         {"neighbours", "Z_i", "1", "", 1.0, Place::cell, magnitude, "",
          "number of cells that a cell touches", paper, compute_neighbours, Requires::contact},
+        {"stress_xx", "σ_xx", "kPa", "Pa", 1e3, Place::cell, signed_about_zero, "",
+         "component of the stress of a cell, from its contact forces",
+         "Cuvelier et al. 2021, eqn (4)", compute_stress_xx, Requires::contact},
+        {"stress_yy", "σ_yy", "kPa", "Pa", 1e3, Place::cell, signed_about_zero, "",
+         "component of the stress of a cell, from its contact forces",
+         "Cuvelier et al. 2021, eqn (4)", compute_stress_yy, Requires::contact},
+        {"stress_zz", "σ_zz", "kPa", "Pa", 1e3, Place::cell, signed_about_zero, "",
+         "component of the stress of a cell, from its contact forces",
+         "Cuvelier et al. 2021, eqn (4)", compute_stress_zz, Requires::contact},
+        {"stress_xy", "σ_xy", "kPa", "Pa", 1e3, Place::cell, signed_about_zero, "",
+         "component of the stress of a cell, from its contact forces",
+         "Cuvelier et al. 2021, eqn (4)", compute_stress_xy, Requires::contact},
+        {"stress_xz", "σ_xz", "kPa", "Pa", 1e3, Place::cell, signed_about_zero, "",
+         "component of the stress of a cell, from its contact forces",
+         "Cuvelier et al. 2021, eqn (4)", compute_stress_xz, Requires::contact},
+        {"stress_yz", "σ_yz", "kPa", "Pa", 1e3, Place::cell, signed_about_zero, "",
+         "component of the stress of a cell, from its contact forces",
+         "Cuvelier et al. 2021, eqn (4)", compute_stress_yz, Requires::contact},
     }};
     return rows;
 }

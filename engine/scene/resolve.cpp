@@ -410,7 +410,13 @@ void resolve_pictures(Draft& draft) {
                                                  "[{}, {}]",
                                                  picture.given_range[0], picture.given_range[1]));
         static_cast<void>(parse_shots(picture));  // throws for a shot that nobody understands
+        if (picture.stress_axes && !scene.contact)
+            throw Error(picture.loc,
+                        "picture.stress_axes draws contact stress: it needs [contact]");
         if (!picture.field.empty() && !has_field(picture.field)) fields.push_back(picture.field);
+        if (picture.stress_axes)
+            for (const std::string_view name : k_stress_components)
+                if (!has_field(std::string(name))) fields.emplace_back(name);
     }
 }
 

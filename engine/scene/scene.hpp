@@ -194,6 +194,10 @@ struct Measures {
 };
 
 /// One view of the spheroid; the first one is what `movie` shows.
+/// The fields that hold the stress of cells component by component: xx, yy, zz, xy, xz, yz.
+inline constexpr std::array<std::string_view, 6> k_stress_components{
+    "stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_xz", "stress_yz"};
+
 struct Picture {
     Loc loc;
     std::string name = "main";
@@ -203,6 +207,8 @@ struct Picture {
     std::array<double, 2> given_range{0.0, 0.0};  ///< in the field's shown unit
     bool cutaway = false;                         ///< leave out whole cells on the near side
     bool network = false;                         ///< draw the contact-force network
+    bool stress_axes = false;                     ///< draw the principal axes of cells' stress
+    double exploded = 0.0;                        ///< cells moved outward by this share
     double azimuth_deg = 30.0, elevation_deg = 20.0;
     double orbit_deg = 0.0;  ///< turned over the whole movie
     double fps = 30.0;

@@ -17,16 +17,6 @@ using statistics::TailScale;
 
 constexpr double k_undefined = std::numeric_limits<double>::quiet_NaN();
 
-/// f of all runs of a setup together, each over its own mean.
-std::vector<double> pooled_forces(const SetupStatistics& setup, statistics::ForceNorm norm) {
-    std::vector<double> pooled;
-    for (const statistics::RunStatistics& run : setup.runs) {
-        const auto forces = statistics::contact_forces(run.pairs, run.touching_area_um2, norm);
-        pooled.insert(pooled.end(), forces.f.begin(), forces.f.end());
-    }
-    return pooled;
-}
-
 /// The fitted law from f = 1 to the largest force.
 reports::Plot::Series fit_line(const TailFit& fit, const std::string& of, double largest) {
     reports::Plot::Series line{of + " fit", {}, {}};
@@ -48,8 +38,8 @@ void add_threshold_panel(Figure& figure, Setups setups) {
     for (const SetupStatistics& setup : setups) {
         reports::Plot::Series series{setup.label, {}, {}};
         for (const double threshold : statistics::k_touching_thresholds_um2) {
-            const statistics::Estimate Z =
-                over_seeds(setup, [&](const auto& run) { return run.coordination_at(threshold); });
+            const statistics::Estimate Z = statistics::over_seeds(
+                setup, [&](const auto& run) { return run.coordination_at(threshold); });
             series.x.push_back(threshold);
             series.y.push_back(Z.mean);
             series.error.push_back(Z.standard_error);
@@ -68,7 +58,7 @@ void add_density_panel(Figure& figure, Setups setups, const std::vector<TailFit>
     panel.x_axis.is_logarithmic = false;
     for (std::size_t s = 0; s < setups.size(); ++s) {
         const SetupStatistics& setup = setups[s];
-        const std::vector<double> f = pooled_forces(setup, statistics::ForceNorm::all);
+        const std::vector<double> f = statistics::pooled_forces(setup, statistics::ForceNorm::all);
         reports::Plot::Series series{setup.label, {}, {}};
         series.line = reports::Plot::Line::none;
         if (f.empty()) {
@@ -105,9 +95,10 @@ Figure contact_network(Setups setups) {
     figure.plot.columns = 2;
     add_ratio_panel(figure, setups, {"a", "coordination_Z", "1", "", ""},
                     "a  mean number of touching cells", "Z", [](const SetupStatistics& setup) {
-                        return over_seeds(setup, [](const statistics::RunStatistics& run) {
-                            return run.coordination_at(run.touching_area_um2);
-                        });
+                        return statistics::over_seeds(
+                            setup, [](const statistics::RunStatistics& run) {
+                                return run.coordination_at(run.touching_area_um2);
+                            });
                     });
     add_threshold_panel(figure, setups);
     // Of every setup: b = 1 and free, over all pairs and over those that push.
@@ -115,7 +106,8 @@ Figure contact_network(Setups setups) {
     for (const SetupStatistics& setup : setups)
         for (const auto norm : {statistics::ForceNorm::all, statistics::ForceNorm::compressive})
             for (const auto scale : {TailScale::one, TailScale::free}) {
-                const TailFit fit = statistics::fit_tail(pooled_forces(setup, norm), scale);
+                const TailFit fit =
+                    statistics::fit_tail(statistics::pooled_forces(setup, norm), scale);
                 const std::string name =
                     fmt::format("beta{}{}", scale == TailScale::one ? "_b_1" : "_b_free",
                                 norm == statistics::ForceNorm::all ? "" : "_compressive_pairs");

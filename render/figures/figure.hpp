@@ -39,13 +39,4 @@ struct FigureRow {
 [[nodiscard]] Figure force_displacement(Setups setups);
 [[nodiscard]] Figure parameter_maps(Setups setups);
 
-/// One number of a setup with its error over seeds.
-struct SetupNumber {
-    std::string name, unit;  ///< unit ASCII, "1": none
-    statistics::Estimate estimate;
-};
-/// Everything that is one number per run, over the seeds of a setup: totals, regions, stresses of
-/// cells, pores, depths of the profile, contact forces.
-[[nodiscard]] std::vector<SetupNumber> numbers_of(const statistics::SetupStatistics& setup);
-
 }  // namespace spheroscope::figures

@@ -43,7 +43,7 @@ const SetupStatistics* find(Setups setups, double gamma_over_omega, double Et_ov
 
 statistics::Estimate estimate_of(const SetupStatistics& setup, const Quantity& quantity) {
     const TotalsRow& row = *find_total(quantity.total);
-    return over_seeds(
+    return statistics::over_seeds(
         setup, [&](const statistics::RunStatistics& run) { return value_of(row, run.totals); });
 }
 

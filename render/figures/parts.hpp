@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/statistics/radial_profile.hpp"
+#include "engine/statistics/setup_numbers.hpp"
 #include "render/figures/figure.hpp"
 
 // What the figures have in common.
@@ -21,14 +22,6 @@ struct Place {
 /// Adds one number. `n`: probes, cells or forces behind it; 0: does not apply.
 void add_row(reports::ReportTable& table, const statistics::SetupStatistics& setup,
              const Place& place, const statistics::Estimate& value, double spread, int n);
-
-/// A number per seed, made of every run.
-template <class F> [[nodiscard]] statistics::Estimate
-over_seeds(const statistics::SetupStatistics& setup, const F& value) {
-    std::vector<double> values;
-    for (const statistics::RunStatistics& run : setup.runs) values.push_back(value(run));
-    return statistics::mean_over_seeds(values);
-}
 
 /// A profile of all setups as a panel: means of the pooled probes over r / R_th, with the standard
 /// error over seeds. `samples` gives a run's probes; values are multiplied by `scale`.

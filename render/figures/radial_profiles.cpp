@@ -18,8 +18,8 @@ void add_tension_panel(Figure& figure, Setups setups) {
         reports::Plot::Series series{setup.label, {}, {}};
         series.line = reports::Plot::Line::none;
         for (std::size_t r = 0; r < statistics::k_regions.size(); ++r) {
-            const statistics::Estimate value =
-                over_seeds(setup, [&](const auto& run) { return run.tension_nN_per_um[r]; });
+            const statistics::Estimate value = statistics::over_seeds(
+                setup, [&](const auto& run) { return run.tension_nN_per_um[r]; });
             const std::string name(name_of(statistics::k_regions[r]));
             add_row(figure.table, setup, {"d", "gamma_eff", "mN/m", "region", name}, value,
                     std::numeric_limits<double>::quiet_NaN(), 0);

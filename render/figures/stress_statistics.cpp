@@ -17,7 +17,7 @@ Figure stress_statistics(Setups setups) {
         const std::string panel(1, static_cast<char>('a' + r));
         const auto estimate = [&](Weighting weighting) -> EstimateOf {
             return [&rows, r, weighting](const statistics::SetupStatistics& setup) {
-                return over_seeds(setup, [&](const statistics::RunStatistics& run) {
+                return statistics::over_seeds(setup, [&](const statistics::RunStatistics& run) {
                     return k_Pa_per_kPa * run.mean_stress_kPa(rows[r], weighting);
                 });
             };

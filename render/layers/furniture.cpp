@@ -2,6 +2,7 @@
 
 #include "render/canvas.hpp"
 #include "render/colour_maps.hpp"
+#include "render/layers/stress_axes.hpp"
 
 #include <fmt/format.h>
 
@@ -73,6 +74,7 @@ class Writer {
     /// A value bar from (x, y_top) down; returns the y below its last part.
     double colour_bar(double x, double y_top, double height, const Furniture& furniture);
     double network_key(double x, double y, const NetworkCount& network, double px_per_um);
+    void stress_axes_key(double x, double y, double longest_kPa);
 
   private:
     Image& image_;
@@ -163,12 +165,19 @@ double Writer::network_key(double x, double y, const NetworkCount& network, doub
     return y;
 }
 
+void Writer::stress_axes_key(double x, double y, double longest_kPa) {
+    line(x, y, "principal stress");
+    line(x, y += scaled(k_line), fmt::format("longest: {:.3g} Pa", 1000.0 * longest_kPa));
+    swatch(x, y += scaled(k_line), StressAxes::rod_colour(-1.0), "compression");
+    swatch(x, y += scaled(k_line), StressAxes::rod_colour(+1.0), "tension");
+}
+
 }  // namespace
 
 double writing_scale(int height_px) { return std::max(1.0, height_px / 720.0); }
 
-double key_column_px(int height_px, bool has_field, bool has_network) {
-    return has_field || has_network ? writing_scale(height_px) * k_column : 0.0;
+double key_column_px(int height_px, bool has_field, bool has_keys) {
+    return has_field || has_keys ? writing_scale(height_px) * k_column : 0.0;
 }
 
 ScaleBar make_scale_bar(int width_px, int height_px, double px_per_um) {
@@ -188,7 +197,7 @@ void draw_furniture(Image& image, TextPainter& text, const Furniture& furniture)
     const auto scaled = [&](double px) { return writer.scaled(px); };
     const double left = scaled(k_margin);
     const double column =
-        key_column_px(image.height, furniture.field != nullptr, furniture.network.has_value());
+        key_column_px(image.height, furniture.field != nullptr, furniture.has_keys());
 
     double y = scaled(k_margin + 24.0);
     writer.title(left, y, furniture.title, image.width - column - 2.0 * left);
@@ -208,13 +217,17 @@ void draw_furniture(Image& image, TextPainter& text, const Furniture& furniture)
     y = scaled(k_margin);
     if (furniture.field != nullptr) {
         // what is left of the column below the heading and above the entries of the keys
-        const double height =
-            std::max(scaled(60.0), image.height - scaled(furniture.network ? 500.0 : 330.0));
+        const double height = std::max(
+            scaled(60.0), image.height - scaled(330.0 + (furniture.network ? 170.0 : 0.0) +
+                                                (furniture.longest_axis_kPa ? 110.0 : 0.0)));
         y = writer.colour_bar(x, y, height, furniture) + scaled(12.0);
     } else {
         y += scaled(k_text);
     }
-    if (furniture.network) writer.network_key(x, y, *furniture.network, furniture.px_per_um);
+    if (furniture.network)
+        y = writer.network_key(x, y, *furniture.network, furniture.px_per_um) +
+            scaled(k_line + 8.0);
+    if (furniture.longest_axis_kPa) writer.stress_axes_key(x, y, *furniture.longest_axis_kPa);
 }
 
 std::string time_text(double time_s, int decimals) {

@@ -36,13 +36,17 @@ struct Furniture {
     double paleness = 0.0;  ///< as used for the cells: the bar shows the colours of the picture
 
     std::optional<NetworkCount> network;
+    /// The stress, kPa, of the longest rod of the principal axes; unset: they are not drawn.
+    std::optional<double> longest_axis_kPa;
+
+    [[nodiscard]] bool has_keys() const { return network || longest_axis_kPa; }
 };
 
 /// Height of the picture over which all sizes of writing scale; text never gets smaller than at 720
 /// rows.
 [[nodiscard]] double writing_scale(int height_px);
 /// Width of the column on the right that bar and keys need, px; 0 without both.
-[[nodiscard]] double key_column_px(int height_px, bool has_field, bool has_network);
+[[nodiscard]] double key_column_px(int height_px, bool has_field, bool has_keys);
 
 void draw_furniture(Image& image, TextPainter& text, const Furniture& furniture);
 

@@ -1,5 +1,6 @@
 // run --seeds, and what info says of several runs.
 #include "tests/cli/program_runner.hpp"
+#include "tests/cli/three_cells_scene.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -9,50 +10,9 @@
 namespace spheroscope {
 namespace {
 
-/// A ball of three beads that become cells and relax for a moment.
-const char* const k_scene = R"(
-[scene]
-title = "Three cells"
-[cells]
-count = 3
-nodes = 42
-[cells.radius]
-shape = 37.75
-scale = "0.24 um"
-min = "5 um"
-max = "13 um"
-[cortex.elastic]
-E = "20 kPa"
-[cortex.tension]
-gamma = "0.5 nN/um"
-[cortex.viscosity]
-eta = "1 kPa s"
-[cytosol]
-K = "5 kPa"
-[medium]
-[contact]
-law = "traction"
-[contact.adhesion]
-omega = "0.5 nN/um"
-[contact.friction]
-normal = "0.05 kPa s/um"
-tangential = "0.05 kPa s/um"
-[method]
-dt_max = "0.1 s"
-[[stage]]
-kind = "anneal"
-packing_fraction = 0.3
-steps = 500
-[[stage]]
-kind = "relax"
-duration = "0.3 s"
-[measures]
-fields = ["sigma_h"]
-)";
-
 class RunSeeds : public ProgramRunner {
   protected:
-    RunSeeds() { write_file("small.toml", k_scene); }
+    RunSeeds() { write_file("small.toml", k_three_cells_scene); }
 };
 
 TEST_F(RunSeeds, MakesOneRunForEachSeedAndTheirMeans) {
@@ -117,7 +77,7 @@ TEST_F(RunSeeds, AndSeedExcludeEachOther) {
 }
 
 TEST_F(RunSeeds, OfAWrongSceneIsOneMistake) {
-    write_file("wrong.toml", with(k_scene, "count = 3", "count = -3"));
+    write_file("wrong.toml", with(k_three_cells_scene, "count = 3", "count = -3"));
     const Outcome outcome = call({"run", "wrong.toml", "--seeds", "1..3"});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("wrong.toml:"), std::string::npos) << outcome.err;

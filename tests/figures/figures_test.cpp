@@ -1,4 +1,5 @@
 #include "engine/base/error.hpp"
+#include "engine/statistics/setup_numbers.hpp"
 #include "render/figures/figure.hpp"
 #include "tests/figures/made_up_runs.hpp"
 
@@ -150,9 +151,9 @@ TEST(ParameterMaps, OfRunsThatDifferInMoreSayInWhat) {
 
 TEST(Numbers, HaveTheDepthsOfTheProfile) {
     const auto setups = two_setups();
-    const auto numbers = numbers_of(setups[1]);
+    const auto numbers = statistics::numbers_of(setups[1]);
     const auto find = [&](const std::string& name) {
-        for (const SetupNumber& number : numbers)
+        for (const statistics::SetupNumber& number : numbers)
             if (number.name == name) return number.estimate.mean;
         return std::nan("");
     };

@@ -1,5 +1,6 @@
 #include "engine/forces/contact_traction.hpp"
 #include "engine/measures/field_functions.hpp"
+#include "engine/measures/fields.hpp"
 #include "engine/measures/pair_forces.hpp"
 #include "tests/measures/made_up_contacts.hpp"
 #include "tests/reference/all_pairs.hpp"
@@ -77,6 +78,24 @@ TEST(CellStress, HasTheHydrostaticStressAsAThirdOfItsTraceAndRadialAndTangential
                     3.0 * expected, 1e-8);
     }
     EXPECT_EQ(sigma_h[2], 0.0F) << "touches nobody";
+}
+
+TEST(CellStress, IsStoredComponentByComponent) {
+    MadeUpContacts cells = two_cells();
+    cells.set(push_and_pull());
+    const Configuration at = cells.at();
+    const MeasureInput input = cells.input(at);
+    constexpr std::array<std::array<int, 2>, 6> places{
+        {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+    constexpr std::array<const char*, 6> names{"stress_xx", "stress_yy", "stress_zz",
+                                               "stress_xy", "stress_xz", "stress_yz"};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        std::vector<float> values(2);
+        find_field(names[k])->compute(input, values);
+        for (std::size_t c = 0; c < 2; ++c)
+            EXPECT_EQ(values[c],
+                      static_cast<float>(cells.stress_kPa[c](places[k][0], places[k][1])));
+    }
 }
 
 TEST(CellStress, ALoneCellIsAtTheCentreAndHasNoRadialDirection) {

@@ -74,6 +74,53 @@ TEST(Picture, IsTheSameBitsTwice) {
     EXPECT_FALSE(a == first.render(*snapshot, {})) << "the comparison can fail";
 }
 
+TEST(Picture, PulledApartHasRoomBetweenCellsAndKeepsThemInside) {
+    const std::vector<Vec3> centres{{0, -10, 0}, {0, 10, 0}};
+    const auto snapshot = make_balls(make_header(2, 162), centres, 9.0);
+    scene::Picture picture = front_picture("");
+    Renderer renderer(snapshot->header, picture);
+    const auto colour_at = [&](const Vec3& x) {
+        return pixel_at(renderer.render(*snapshot, {}), renderer.camera(*snapshot, {}).project(x));
+    };
+    constexpr Rgb white{255, 255, 255};
+    EXPECT_NE(colour_at({0, 5, 0}), white);
+    picture.exploded = 1.0;  // cells at -20 and 20
+    renderer.set_picture(picture);
+    EXPECT_EQ(colour_at({0, 5, 0}), white);
+    EXPECT_NE(colour_at({0, -20, 0}), white);
+    EXPECT_NE(colour_at({0, 28, 0}), white);
+    EXPECT_GT(renderer.camera(*snapshot, {}).project({0, -29, 0}).x, 0.0);
+}
+
+TEST(Picture, StressAxesAreRedAlongTensionAndBlueAlongCompression) {
+    auto header = make_header(1, 162);
+    for (const std::string_view name : scene::k_stress_components)
+        header->fields.push_back(find_field(name));
+    const auto snapshot = make_balls(header, {{0, 0, 0}}, 9.0);
+    snapshot->fields.resize(header->fields.size(), std::vector<float>(1, 0.0F));
+    snapshot->fields[4][0] = 0.05F;   // yy
+    snapshot->fields[5][0] = -0.05F;  // zz
+    scene::Picture picture = front_picture("");
+    picture.stress_axes = true;
+    Renderer renderer(header, picture);
+    const Image image = renderer.render(*snapshot, {});
+    const Camera camera = renderer.camera(*snapshot, {});
+    const Rgb along_y = pixel_at(image, camera.project({0, 6, 0}));
+    const Rgb along_z = pixel_at(image, camera.project({0, 0, 6}));
+    EXPECT_GT(along_y.r, along_y.b + 40);
+    EXPECT_GT(along_z.b, along_z.r + 40);
+    // The longest rod is as long as the cell, and nothing is drawn along the third axis.
+    const Rgb beside = pixel_at(image, camera.project({0, 5, 5}));
+    EXPECT_LT(std::abs(beside.r - beside.b), 40);
+}
+
+TEST(Picture, StressAxesOfARunWithoutTheComponentsAreRefused) {
+    const auto snapshot = make_balls(make_header(1, 42), {{0, 0, 0}}, 9.0);
+    scene::Picture picture = front_picture("");
+    picture.stress_axes = true;
+    EXPECT_THROW(Renderer(snapshot->header, picture), Error);
+}
+
 TEST(Picture, ACellHasTheMapsColourAndTheOppositeOneForTheOppositeStress) {
     const std::vector<Vec3> centres{{0, -10, 0}, {0, 10, 0}};
     const auto snapshot = make_balls(make_header(2, 162), centres, 9.0);

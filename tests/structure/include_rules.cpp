@@ -11,7 +11,7 @@
 //     base <- scene
 //     base <- model <- contact <- forces, friction <- solve, measures <- stages <- run <- store,
 //     reports, inspect <- cli
-//     inspect <- statistics <- cli
+//     inspect <- statistics <- claims <- cli
 //
 // Pictures see what a run publishes (model, measures, run, store, scene) and the command line for
 // their verbs, never how the engine computes it. The panel sees the same and the pictures; its
@@ -43,8 +43,9 @@ const std::map<std::string, std::set<std::string>>& allowed_folders() {
         {"engine/reports", with(staged, {"stages", "run"})},
         {"engine/inspect", with(staged, {"stages", "run"})},
         {"engine/statistics", with(staged, {"stages", "run", "inspect"})},
+        {"engine/claims", {"base", "scene", "reports", "statistics"}},
         {"engine/cli",
-         with(staged, {"stages", "run", "store", "reports", "inspect", "statistics"})},
+         with(staged, {"stages", "run", "store", "reports", "inspect", "statistics", "claims"})},
         {"render",
          {"base", "model", "scene", "measures", "run", "store", "reports", "inspect", "statistics",
           "cli"}},

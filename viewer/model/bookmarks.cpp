@@ -21,6 +21,8 @@ nlohmann::json json_of(const Bookmark& bookmark) {
             {"given_range", p.given_range},
             {"cutaway", p.cutaway},
             {"network", p.network},
+            {"stress_axes", p.stress_axes},
+            {"exploded", p.exploded},
             {"azimuth", p.azimuth_deg},
             {"elevation", p.elevation_deg},
             {"orbit", p.orbit_deg},
@@ -42,6 +44,9 @@ Bookmark bookmark_of(const nlohmann::json& json) {
     p.given_range = json.at("given_range");
     p.cutaway = json.at("cutaway");
     p.network = json.at("network");
+    // Not in bookmarks of before these were there.
+    p.stress_axes = json.value("stress_axes", false);
+    p.exploded = json.value("exploded", 0.0);
     p.azimuth_deg = json.at("azimuth");
     p.elevation_deg = json.at("elevation");
     p.orbit_deg = json.at("orbit");

@@ -15,6 +15,7 @@ bool operator==(const ViewSettings& a, const ViewSettings& b) {
     const scene::Picture &p = a.picture, &q = b.picture;
     return p.name == q.name && p.field == q.field && p.size_px == q.size_px && p.range == q.range &&
            p.given_range == q.given_range && p.cutaway == q.cutaway && p.network == q.network &&
+           p.stress_axes == q.stress_axes && p.exploded == q.exploded &&
            p.azimuth_deg == q.azimuth_deg && p.elevation_deg == q.elevation_deg &&
            p.orbit_deg == q.orbit_deg && p.fps == q.fps && p.smooth == q.smooth &&
            p.plot == q.plot && p.shots == q.shots;
@@ -31,6 +32,8 @@ std::string view_text(const ViewSettings& view) {
     text += fmt::format("cutaway = {}\nnetwork = {}\nazimuth = \"{} deg\"\nelevation = \"{} deg\"\n"
                         "orbit = \"{} deg\"\nfps = {}\n",
                         p.cutaway, p.network, p.azimuth_deg, p.elevation_deg, p.orbit_deg, p.fps);
+    if (p.stress_axes) text += "stress_axes = true\n";
+    if (p.exploded > 0.0) text += fmt::format("exploded = {}\n", p.exploded);
     if (!p.smooth) text += "smooth = false\n";
     if (!p.plot.empty()) text += fmt::format("plot = {}\n", scene::toml_string(p.plot));
     for (std::size_t k = 0; k < p.shots.size(); ++k)

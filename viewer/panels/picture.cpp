@@ -1,5 +1,6 @@
 // The picture: drags turn the view, a click picks what is under the pointer, which gets a ring.
 
+#include "engine/run/exploded.hpp"
 #include "viewer/panels/panel.hpp"
 
 #include <imgui.h>
@@ -55,7 +56,9 @@ void mark_selection(const PanelContext& panel, const Shown& shown) {
         selected.cell * snapshot.header->topology->n_nodes() + selected.node);
     const Vec3 x(double{snapshot.x_um[3 * node]}, double{snapshot.x_um[3 * node + 1]},
                  double{snapshot.x_um[3 * node + 2]});
-    const render::Camera::Pixel at = panel.shown->camera.project(x);
+    const Vec3 shift =
+        shift_when_exploded_um(snapshot, panel.shown->request.picture.exploded, selected.cell);
+    const render::Camera::Pixel at = panel.shown->camera.project(x + shift);
     const ImVec2 centre{shown.corner.x + shown.scale * static_cast<float>(at.x),
                         shown.corner.y + shown.scale * static_cast<float>(at.y)};
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -83,6 +83,14 @@ void draw_view(PanelContext& panel) {
     ImGui::Checkbox("cutaway", &view.picture.cutaway);
     ImGui::SameLine();
     ImGui::Checkbox("force network", &view.picture.network);
+    if (render::holds_stress_axes(panel.header)) {
+        ImGui::SameLine();
+        ImGui::Checkbox("stress axes", &view.picture.stress_axes);
+    }
+    auto exploded = static_cast<float>(view.picture.exploded);
+    ImGui::SetNextItemWidth(150.0F);
+    if (ImGui::SliderFloat("pulled apart", &exploded, 0.0F, 2.0F, "%.2f"))
+        view.picture.exploded = double{exploded};
     std::array<float, 2> angles{static_cast<float>(view.picture.azimuth_deg),
                                 static_cast<float>(view.picture.elevation_deg)};
     ImGui::SetNextItemWidth(150.0F);

@@ -1,0 +1,192 @@
+#include "engine/claims/verdict.hpp"
+
+#include "engine/base/nearest_word.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spheroscope::claims {
+namespace {
+
+using statistics::Estimate;
+using statistics::SetupNumber;
+
+/// Thrown while one claim is evaluated: there is nothing to judge.
+struct NoData {
+    std::string reason;
+};
+
+const SetupNumber& find_number(const Quantity& quantity, const MeasuredSetups& measured) {
+    const auto at = measured.find(quantity.setup);
+    if (at == measured.end()) throw NoData{quantity.setup + " was not run"};
+    const MeasuredSetup& setup = at->second;
+    if (setup.n_runs == 0)
+        throw NoData{fmt::format("{}: {}", quantity.setup,
+                                 setup.troubles.empty() ? "no run" : setup.troubles.front())};
+    const auto number =
+        std::find_if(setup.numbers.begin(), setup.numbers.end(),
+                     [&](const SetupNumber& n) { return n.name == quantity.number; });
+    if (number == setup.numbers.end()) {
+        std::vector<std::string> names;
+        for (const SetupNumber& n : setup.numbers) names.push_back(n.name);
+        throw Error(quantity.loc, fmt::format("there is no number '{}'", quantity.number),
+                    "numbers are " + fmt::format("{}", fmt::join(names, ", ")));
+    }
+    return *number;
+}
+
+/// Mean and error of a - b or a / b. Of one setup, seed by seed: what a seed does to both does not
+/// count as an error.
+Estimate combined(const SetupNumber& a, const SetupNumber& b, bool is_ratio, bool is_one_setup) {
+    if (is_one_setup && !a.by_run.empty() && a.by_run.size() == b.by_run.size()) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < a.by_run.size(); ++i)
+            values.push_back(is_ratio ? a.by_run[i] / b.by_run[i] : a.by_run[i] - b.by_run[i]);
+        return statistics::mean_over_seeds(values);
+    }
+    const Estimate &x = a.estimate, &y = b.estimate;
+    Estimate result;
+    result.n = std::min(x.n, y.n);
+    if (is_ratio) {
+        result.mean = x.mean / y.mean;
+        result.standard_error =
+            std::hypot(x.standard_error, result.mean * y.standard_error) / std::abs(y.mean);
+    } else {
+        result.mean = x.mean - y.mean;
+        result.standard_error = std::hypot(x.standard_error, y.standard_error);
+    }
+    return result;
+}
+
+Estimate value_of(const Claim& claim, const MeasuredSetups& measured) {
+    const SetupNumber& number = find_number(claim.measured, measured);
+    Estimate value = number.estimate;
+    if (const auto& other = claim.minus ? claim.minus : claim.over)
+        value = combined(number, find_number(*other, measured), claim.over.has_value(),
+                         other->setup == claim.measured.setup);
+    value.mean *= claim.factor;
+    value.standard_error *= std::abs(claim.factor);
+    if (!std::isfinite(value.mean))
+        throw NoData{fmt::format("'{}' is undefined in these runs", claim.measured.number)};
+    return value;
+}
+
+/// "case_b" or "case_b - case_a"
+std::string setups_text(const Claim& claim) {
+    const auto& other = claim.minus ? claim.minus : claim.over;
+    if (!other || other->setup == claim.measured.setup) return claim.measured.setup;
+    return fmt::format("{} {} {}", claim.measured.setup, claim.minus ? "-" : "/", other->setup);
+}
+
+std::string number_text(const Claim& claim) {
+    const auto& other = claim.minus ? claim.minus : claim.over;
+    if (!other || other->number == claim.measured.number) return claim.measured.number;
+    return fmt::format("{} {} {}", claim.measured.number, claim.minus ? "-" : "/", other->number);
+}
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+    return unit.empty() ? text : text + " " + unit;
+}
+
+std::string value_text(const Estimate& value) {
+    if (std::isnan(value.mean)) return "-";
+    if (std::isnan(value.standard_error)) return fmt::format("{:.4g}", value.mean);
+    return fmt::format("{:.4g} +- {:.2g}", value.mean, value.standard_error);
+}
+
+const MeasuredSetup* setup_of(const JudgedClaim& judged, const MeasuredSetups& measured) {
+    const auto at = measured.find(judged.claim->measured.setup);
+    return at == measured.end() ? nullptr : &at->second;
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::agrees: return "agrees";
+    case Verdict::differs: return "differs";
+    case Verdict::not_decidable: return "not decidable";
+    case Verdict::no_data: return "no data";
+    }
+    return "";
+}
+
+Verdict judge(const Claim& claim, const Estimate& value) {
+    if (!std::isfinite(value.mean)) return Verdict::no_data;
+    if (!claim.undecidable.empty()) return Verdict::not_decidable;
+    const double two_errors = std::isnan(value.standard_error) ? 0.0 : 2.0 * value.standard_error;
+    const double grace =
+        claim.paper.is_one_sided() ? claim.tolerance : std::max(two_errors, claim.tolerance);
+    return claim.paper.distance(value.mean) <= grace ? Verdict::agrees : Verdict::differs;
+}
+
+std::vector<JudgedClaim> judge_claims(const ClaimTable& table, const MeasuredSetups& measured) {
+    std::vector<JudgedClaim> judged;
+    for (const Claim& claim : table.claims) {
+        JudgedClaim row;
+        row.claim = &claim;
+        try {
+            row.value = value_of(claim, measured);
+            row.verdict = judge(claim, row.value);
+            if (row.verdict == Verdict::not_decidable) row.reason = claim.undecidable;
+        } catch (const NoData& none) {
+            row.reason = none.reason;
+        }
+        judged.push_back(std::move(row));
+    }
+    return judged;
+}
+
+reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
+                                   const MeasuredSetups& measured) {
+    reports::ReportTable table;
+    table.columns = {{"claim"},        {"source", false},  {"says", false}, {"setup", false},
+                     {"number"},       {"unit"},           {"paper"},       {"tolerance"},
+                     {"mean"},         {"standard_error"}, {"seeds"},       {"law", false},
+                     {"cells", false}, {"nodes", false},   {"verdict"},     {"reason", false}};
+    constexpr reports::Missing none{"-"};
+    for (const JudgedClaim& row : judged) {
+        const Claim& claim = *row.claim;
+        const MeasuredSetup* setup = setup_of(row, measured);
+        const auto number = [&](double value) {
+            return std::isnan(value) ? reports::TableCell{none} : reports::TableCell{value};
+        };
+        table.rows.push_back(
+            {claim.id, claim.source, claim.says, setups_text(claim), number_text(claim),
+             claim.unit.empty() ? "1" : claim.unit, claim.paper.text(), claim.tolerance,
+             number(row.value.mean), number(row.value.standard_error), std::int64_t{row.value.n},
+             setup == nullptr ? "" : setup->law,
+             setup == nullptr ? reports::TableCell{none} : std::int64_t{setup->n_cells},
+             setup == nullptr ? reports::TableCell{none} : std::int64_t{setup->n_nodes},
+             std::string(name_of(row.verdict)), row.reason});
+    }
+    return table;
+}
+
+std::string claims_markdown(const std::vector<JudgedClaim>& judged,
+                            const MeasuredSetups& measured) {
+    std::string text =
+        "| claim | where | the paper says | number, setup | paper | tolerance | we measure | seeds "
+        "| mesh, law | verdict |\n|---|---|---|---|---|---|---|---|---|---|\n";
+    for (const JudgedClaim& row : judged) {
+        const Claim& claim = *row.claim;
+        const MeasuredSetup* setup = setup_of(row, measured);
+        std::string verdict = fmt::format("**{}**", name_of(row.verdict));
+        if (!row.reason.empty()) verdict += ": " + row.reason;
+        text += fmt::format("| `{}` | {} | {} | {}, {} | {} | {} | {} | {} | {} | {} |\n", claim.id,
+                            claim.source, claim.says, number_text(claim), setups_text(claim),
+                            with_unit(claim.paper.text(), claim.unit),
+                            claim.tolerance == 0.0 ? "" : fmt::format("{:.4g}", claim.tolerance),
+                            with_unit(value_text(row.value), claim.unit), row.value.n,
+                            setup == nullptr ? "-"
+                                             : fmt::format("{} x {}, {}", setup->n_cells,
+                                                           setup->n_nodes, setup->law),
+                            verdict);
+    }
+    return text;
+}
+
+}  // namespace spheroscope::claims

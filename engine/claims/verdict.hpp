@@ -1,0 +1,56 @@
+#pragma once
+
+#include "engine/claims/claim_table.hpp"
+#include "engine/reports/report_table.hpp"
+#include "engine/statistics/setup_numbers.hpp"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spheroscope::claims {
+
+/// What was measured of one setup, or why nothing was.
+struct MeasuredSetup {
+    std::vector<statistics::SetupNumber> numbers;
+    std::vector<std::string> troubles;  ///< "seed 3: unstable: ...", one for each run that failed
+    std::vector<std::string> remarks;   ///< "seed 2 ended at its cap"
+    std::string law;                    ///< of contact
+    int n_cells = 0, n_nodes = 0;
+    int n_runs = 0;       ///< measured
+    double wall_s = 0.0;  ///< of those that were made now
+};
+/// By the setup's name; one that is not there was left out.
+using MeasuredSetups = std::map<std::string, MeasuredSetup>;
+
+/// `agrees`: the mean is in the paper's range, or no further outside than the larger of two
+/// standard errors and the claim's tolerance. A one-sided claim ("larger than") wants the mean on
+/// its side, by no more grace than the tolerance: errors must not make an agreement.
+enum class Verdict { agrees, differs, not_decidable, no_data };
+[[nodiscard]] std::string_view name_of(Verdict verdict);  ///< "agrees"
+
+struct JudgedClaim {
+    const Claim* claim = nullptr;
+    statistics::Estimate value;  ///< of the compared number, in the claim's unit
+    Verdict verdict = Verdict::no_data;
+    std::string reason;  ///< of `no_data` and `not_decidable`
+};
+
+/// Verdict on one number. `value.standard_error` NaN (one seed) counts as none.
+[[nodiscard]] Verdict judge(const Claim& claim, const statistics::Estimate& value);
+
+/// All claims, in the table's order. `table` must outlive the result. Throws Error with the claim's
+/// place when it asks for a number that there is not.
+[[nodiscard]] std::vector<JudgedClaim> judge_claims(const ClaimTable& table,
+                                                    const MeasuredSetups& measured);
+
+/// What the paper says, what we measure, verdict: one row for each claim.
+[[nodiscard]] reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
+                                                 const MeasuredSetups& measured);
+
+/// The same as a table of Markdown.
+[[nodiscard]] std::string claims_markdown(const std::vector<JudgedClaim>& judged,
+                                          const MeasuredSetups& measured);
+
+}  // namespace spheroscope::claims

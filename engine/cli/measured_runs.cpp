@@ -1,0 +1,41 @@
+#include "engine/cli/measured_runs.hpp"
+
+#include "engine/store/run_file.hpp"
+
+#include <cmath>
+
+namespace spheroscope::cli {
+namespace {
+
+/// The frames in which a bead presses; none if it does not in the last one.
+std::vector<statistics::LoadPoint> load_of(const RunFileReader& reader, const Snapshot& last) {
+    std::vector<statistics::LoadPoint> load;
+    if (std::isnan(last.totals.probe_force_nN)) return load;
+    for (int i = 0; i < reader.n_frames(); ++i) {
+        const SnapshotPtr frame = reader.frame(i);
+        const Totals& t = frame->totals;
+        if (!std::isnan(t.probe_force_nN))
+            load.push_back({frame->time_s, t.probe_way_um, t.probe_force_nN, t.hull_force_nN,
+                            t.load_imbalance});
+    }
+    return load;
+}
+
+}  // namespace
+
+statistics::RunStatistics measure_stored_run(const std::string& file) {
+    const RunFileReader reader(file);
+    try {
+        if (reader.n_frames() == 0) throw Error("it has no frames yet");
+        const SnapshotPtr last = reader.frame(reader.n_frames() - 1);
+        statistics::RunStatistics run = statistics::measure_run(last);
+        run.load = load_of(reader, *last);
+        run.file = file;
+        run.outcome = reader.outcome();
+        return run;
+    } catch (const Error& error) {
+        throw NothingToMeasure(error.what());
+    }
+}
+
+}  // namespace spheroscope::cli

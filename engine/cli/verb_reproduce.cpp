@@ -1,0 +1,298 @@
+#include "engine/claims/verdict.hpp"
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
+#include "engine/cli/measured_runs.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/report_output.hpp"
+#include "engine/cli/simulate.hpp"
+#include "engine/store/run_file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace spheroscope::cli {
+namespace {
+
+using claims::ClaimedSetup;
+using claims::ClaimTable;
+using claims::JudgedClaim;
+using claims::MeasuredSetup;
+using claims::MeasuredSetups;
+using claims::Verdict;
+
+struct ReproduceArguments {
+    std::string claims = SPHEROSCOPE_SCENES_DIR "/paper/paper.claims";
+    std::vector<std::string> only;
+    bool quick = false, full = false, stored = false;
+    CommonOptions common;
+};
+
+/// Which runs are looked for, and whether those that are missing are made.
+struct Extent {
+    bool quick_seeds, makes_runs;
+};
+
+Extent extent_of(const ReproduceArguments& arguments) {
+    if (int{arguments.quick} + int{arguments.full} + int{arguments.stored} != 1)
+        throw Error("reproduce wants one of --quick, --full, --stored",
+                    "--quick takes some ten minutes, --full hours; --stored judges the runs that "
+                    "are there");
+    return {arguments.quick, !arguments.stored};
+}
+
+std::string run_folder(const std::string& folder, const ClaimedSetup& setup, std::uint64_t seed) {
+    return fmt::format("{}/{}/seed={}", folder, setup.name, seed);
+}
+
+scene::Scene scene_of(const ClaimTable& table, const ClaimedSetup& setup, std::uint64_t seed) {
+    CommonOptions options;
+    options.set = setup.settings;
+    options.seed = seed;
+    return scene::load_scene(table.scene_path(setup), options.overrides());
+}
+
+/// Makes or ends one run. Throws Error with why there is none to measure.
+void make_run(const scene::Scene& scene, const RunPlace& place, const CommonOptions& options,
+              const Invocation& invocation) {
+    CommonOptions of_run = options;
+    of_run.output = place.folder;
+    of_run.resume = true;
+    const SimulationSummary summary = simulate(scene, place, of_run, false, invocation);
+    const bool is_an_end =
+        summary.result.verdict == RunVerdict::finished || summary.result.verdict == RunVerdict::cap;
+    if (!is_an_end)
+        throw Error(summary.result.outcome + ": " + summary.result.message, "", summary.code);
+}
+
+/// Whether the file holds the whole run of this scene. Throws Error when it is another one's.
+bool is_made(const std::string& file, const scene::Scene& scene) {
+    if (!std::filesystem::exists(file)) return false;
+    const RunFileReader reader(file);
+    if (reader.header()->resolved_scene != scene.resolved_toml)
+        throw Error(file + ": this is a run of another scene, or of another version of it",
+                    "delete it, or choose another folder with -o");
+    return reader.is_complete();
+}
+
+/// One seed of a setup; nothing if it is not there and none is to be made.
+std::optional<statistics::RunStatistics> measured_run(const ClaimTable& table,
+                                                      const ClaimedSetup& setup, std::uint64_t seed,
+                                                      const RunPlace& place, const Extent& extent,
+                                                      const CommonOptions& options,
+                                                      const Invocation& invocation) {
+    const scene::Scene scene = scene_of(table, setup, seed);
+    if (!is_made(place.run_file(), scene)) {
+        if (!extent.makes_runs) return std::nullopt;
+        spdlog::info("{}, seed {}", setup.name, seed);
+        make_run(scene, place, options, invocation);
+    }
+    return measure_stored_run(place.run_file());
+}
+
+MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
+                            const std::string& folder, const Extent& extent,
+                            const CommonOptions& options, const Invocation& invocation) {
+    MeasuredSetup measured;
+    statistics::SetupStatistics runs;
+    for (const std::uint64_t seed : extent.quick_seeds ? setup.quick_seeds : setup.seeds) {
+        if (interrupt_signal() != 0) break;
+        const RunPlace place{run_folder(folder, setup, seed)};
+        try {
+            auto run = measured_run(table, setup, seed, place, extent, options, invocation);
+            if (!run) continue;
+            measured.wall_s += RunFileReader(place.run_file()).end().wall_time_s;
+            if (run->outcome == "cap")
+                measured.remarks.push_back(fmt::format(
+                    "seed {} ended at its cap of time, not at rest: t = {:.0f} s, {} flipped "
+                    "triangles",
+                    seed, run->time_s, run->totals.n_flipped_triangles));
+            runs.runs.push_back(std::move(*run));
+        } catch (const Error& error) {
+            if (error.code() == ExitCode::interrupted || error.code() == ExitCode::terminated)
+                break;
+            spdlog::error("{}, seed {}: {}", setup.name, seed, error.what());
+            measured.troubles.push_back(fmt::format("seed {}: {}", seed, error.what()));
+        }
+    }
+    measured.n_runs = static_cast<int>(runs.runs.size());
+    if (measured.n_runs == 0) return measured;
+    measured.numbers = statistics::numbers_of(runs);
+    measured.law = runs.setup().law;
+    measured.n_cells = runs.setup().n_cells;
+    measured.n_nodes = runs.setup().n_nodes;
+    return measured;
+}
+
+/// Setups that claims of the chosen extent need.
+bool is_wanted(const ClaimedSetup& setup, const ReproduceArguments& arguments) {
+    if (arguments.quick && setup.quick_seeds.empty()) return false;
+    return arguments.only.empty() || std::find(arguments.only.begin(), arguments.only.end(),
+                                               setup.name) != arguments.only.end();
+}
+
+void check_only(const ClaimTable& table, const std::vector<std::string>& only) {
+    for (const std::string& name : only)
+        if (table.find_setup(name) == nullptr) {
+            std::string all;
+            for (const ClaimedSetup& setup : table.setups)
+                all += (all.empty() ? "" : ", ") + setup.name;
+            throw Error(fmt::format("{}: there is no setup '{}'", table.file, name),
+                        "setups are " + all);
+        }
+}
+
+/// Every number of every setup: what the claims are judged by, and all else that was measured.
+reports::ReportTable numbers_table(const MeasuredSetups& measured) {
+    reports::ReportTable table;
+    table.columns = {{"setup"}, {"number"}, {"unit"},  {"mean"}, {"standard_error"},
+                     {"seeds"}, {"law"},    {"cells"}, {"nodes"}};
+    constexpr reports::Missing none{"-"};
+    for (const auto& [name, setup] : measured)
+        for (const statistics::SetupNumber& number : setup.numbers) {
+            const auto cell = [&](double value) {
+                return std::isnan(value) ? reports::TableCell{none} : reports::TableCell{value};
+            };
+            table.rows.push_back({name, number.name, number.unit, cell(number.estimate.mean),
+                                  cell(number.estimate.standard_error),
+                                  std::int64_t{number.estimate.n}, setup.law,
+                                  std::int64_t{setup.n_cells}, std::int64_t{setup.n_nodes}});
+        }
+    return table;
+}
+
+/// What happened to the runs: one line for each that a reader has to know of, and the time.
+std::vector<std::string> remarks_on(const MeasuredSetups& measured) {
+    std::vector<std::string> remarks;
+    double wall_s = 0.0;
+    int n_runs = 0, n_failed = 0;
+    for (const auto& [name, setup] : measured) {
+        for (const std::string& text : setup.troubles) remarks.push_back(name + ", " + text);
+        for (const std::string& text : setup.remarks) remarks.push_back(name + ", " + text);
+        wall_s += setup.wall_s;
+        n_runs += setup.n_runs;
+        n_failed += static_cast<int>(setup.troubles.size());
+    }
+    remarks.push_back(fmt::format("{} runs, {} of wall time in all; {} failed", n_runs,
+                                  duration_text(wall_s), n_failed));
+    return remarks;
+}
+
+/// "12 agree, 3 differ, ..."
+std::string verdicts_text(const std::vector<JudgedClaim>& judged) {
+    std::string text;
+    for (const auto verdict :
+         {Verdict::agrees, Verdict::differs, Verdict::not_decidable, Verdict::no_data})
+        text +=
+            fmt::format("{}{}: {}", text.empty() ? "" : ", ", claims::name_of(verdict),
+                        std::count_if(judged.begin(), judged.end(), [&](const JudgedClaim& row) {
+                            return row.verdict == verdict;
+                        }));
+    return text;
+}
+
+nlohmann::json json_of(const JudgedClaim& row) {
+    const claims::Claim& claim = *row.claim;
+    return {{"claim", claim.id},
+            {"source", claim.source},
+            {"says", claim.says},
+            {"setup", claim.measured.setup},
+            {"number", claim.measured.number},
+            {"unit", claim.unit.empty() ? "1" : claim.unit},
+            {"paper", claim.paper.text()},
+            {"tolerance", claim.tolerance},
+            {"mean", number_or_null(row.value.mean)},
+            {"standard_error", number_or_null(row.value.standard_error)},
+            {"seeds", row.value.n},
+            {"verdict", claims::name_of(row.verdict)},
+            {"reason", row.reason}};
+}
+
+/// claims.csv, claims.md, numbers.csv; returns their names.
+std::vector<std::string>
+write_files(const std::string& folder, const std::vector<JudgedClaim>& judged,
+            const MeasuredSetups& measured, const std::vector<std::string>& remarks,
+            const ReproduceArguments& arguments, const Invocation& invocation) {
+    std::vector<std::string> comments = report_comments(arguments.common, invocation);
+    comments.insert(comments.end(), remarks.begin(), remarks.end());
+    std::string list;
+    for (const std::string& comment : comments) list += "* " + comment + "\n";
+    const std::vector<std::string> files{folder + "/claims.csv", folder + "/claims.md",
+                                         folder + "/numbers.csv"};
+    write_text_file(files[0], claims::claims_report(judged, measured).csv_text(comments));
+    write_text_file(files[1], claims::claims_markdown(judged, measured) + "\n" + list);
+    write_text_file(files[2], numbers_table(measured).csv_text(comments));
+    return files;
+}
+
+ExitCode reproduce(const ReproduceArguments& arguments, const Invocation& invocation) {
+    if (arguments.common.quiet) make_log_quiet();
+    const Extent extent = extent_of(arguments);
+    const ClaimTable table = claims::load_claims(arguments.claims);
+    check_only(table, arguments.only);
+    // A mistake in a scene is found before hours of runs.
+    for (const ClaimedSetup& setup : table.setups)
+        static_cast<void>(scene_of(table, setup, setup.seeds.front()));
+    const std::string folder = report_folder(arguments.common, "out/reproduce");
+
+    MeasuredSetups measured;
+    for (const ClaimedSetup& setup : table.setups)
+        if (is_wanted(setup, arguments) && interrupt_signal() == 0) {
+            MeasuredSetup one =
+                measure_setup(table, setup, folder, extent, arguments.common, invocation);
+            if (one.n_runs > 0 || !one.troubles.empty()) measured[setup.name] = std::move(one);
+        }
+    const std::vector<JudgedClaim> judged = claims::judge_claims(table, measured);
+    const std::vector<std::string> remarks = remarks_on(measured);
+    const std::vector<std::string> files =
+        write_files(folder, judged, measured, remarks, arguments, invocation);
+    if (arguments.common.json) {
+        nlohmann::json rows = nlohmann::json::array();
+        for (const JudgedClaim& row : judged) rows.push_back(json_of(row));
+        print_json({{"claims", rows}, {"remarks", remarks}, {"files", files}});
+    } else {
+        fmt::print("{}\n", claims::claims_report(judged, measured).aligned_text());
+        for (const JudgedClaim& row : judged)
+            if (!row.reason.empty()) fmt::print("{}: {}\n", row.claim->id, row.reason);
+        for (const std::string& remark : remarks) fmt::print("{}\n", remark);
+        fmt::print("{}\n", verdicts_text(judged));
+        for (const std::string& file : files) fmt::print("written to {}\n", file);
+    }
+    const bool has_failures = std::any_of(measured.begin(), measured.end(), [](const auto& setup) {
+        return !setup.second.troubles.empty();
+    });
+    return code_after_signal(has_failures ? ExitCode::not_converged : ExitCode::ok);
+}
+
+}  // namespace
+
+Verb reproduce_verb() {
+    return {"reproduce",
+            "the paper's claims one by one: what it says, what the runs give, verdict; makes the "
+            "runs that are missing",
+            [](CommandLine& command) -> VerbAction {
+                const auto arguments = std::make_shared<ReproduceArguments>();
+                command.optional_argument("CLAIMS", arguments->claims,
+                                          "file of claims; default: the paper's");
+                command.flag("--quick", arguments->quick, "some seeds of some setups: ten minutes");
+                command.flag("--full", arguments->full, "all seeds of all setups: hours");
+                command.flag("--stored", arguments->stored,
+                             "judge the runs that are in the folder, make none");
+                command.option("--only", arguments->only,
+                               "this setup only; may be given several times");
+                add_common_options(command, arguments->common,
+                                   {CommonOption::output, CommonOption::threads, CommonOption::simd,
+                                    CommonOption::json, CommonOption::quiet});
+                return [arguments](const Invocation& invocation) {
+                    return reproduce(*arguments, invocation);
+                };
+            }};
+}
+
+}  // namespace spheroscope::cli

@@ -1,0 +1,117 @@
+#include "engine/statistics/setup_numbers.hpp"
+
+#include "engine/statistics/radial_profile.hpp"
+#include "engine/statistics/tail_exponent.hpp"
+#include "engine/statistics/void_fraction.hpp"
+
+#include <cmath>
+
+namespace spheroscope::statistics {
+namespace {
+
+constexpr double k_Pa_per_kPa = 1000.0;
+
+/// Numbers of one setup, one after the other.
+class Numbers {
+  public:
+    explicit Numbers(const SetupStatistics& setup) : setup_(setup) {}
+
+    template <class F> void add(std::string name, std::string unit, const F& value) {
+        SetupNumber number{std::move(name), std::move(unit), {}};
+        for (const RunStatistics& run : setup_.runs) number.by_run.push_back(value(run));
+        number.estimate = mean_over_seeds(number.by_run);
+        numbers_.push_back(std::move(number));
+    }
+    void add_of_all(std::string name, std::string unit, const Estimate& estimate) {
+        numbers_.push_back({std::move(name), std::move(unit), estimate});
+    }
+    [[nodiscard]] std::vector<SetupNumber> take() { return std::move(numbers_); }
+
+  private:
+    const SetupStatistics& setup_;
+    std::vector<SetupNumber> numbers_;
+};
+
+/// Depth below R_th at which sigma_h of one run changes its sign, or is largest.
+double depth_um(const RunStatistics& run, double (*place)(std::span<const ProfilePoint>)) {
+    const std::vector<std::vector<ProbeSample>> one{run.sigma_h_nearest_kPa};
+    return (1.0 - place(pooled_profile(one))) * run.R_th_um;
+}
+
+void add_totals(Numbers& numbers) {
+    for (const TotalsRow& row : all_totals())
+        numbers.add(std::string(row.name), std::string(row.unit),
+                    [&](const RunStatistics& run) { return value_of(row, run.totals); });
+}
+
+void add_profile(Numbers& numbers) {
+    numbers.add("sigma_h_zero_depth", "um",
+                [](const RunStatistics& run) { return depth_um(run, zero_crossing); });
+    numbers.add("sigma_h_peak_depth", "um",
+                [](const RunStatistics& run) { return depth_um(run, peak); });
+    // The paper defines sigma_h as the whole trace once, and as a third of it once.
+    numbers.add("core_trace_over_2_omega_R", "1", [](const RunStatistics& run) {
+        return 3.0 * (1.0 - run.totals.eps_YL_omega);
+    });
+    numbers.add("void_fraction", "1",
+                [](const RunStatistics& run) { return void_fraction(run.voids, 0.5); });
+    numbers.add("rim_share", "1", [](const RunStatistics& run) {
+        return 1.0 - static_cast<double>(run.totals.n_core_cells) / run.setup.n_cells;
+    });
+}
+
+void add_regions(Numbers& numbers) {
+    for (std::size_t r = 0; r < k_regions.size(); ++r)
+        numbers.add("gamma_eff, " + std::string(name_of(k_regions[r])), "mN/m",
+                    [&](const RunStatistics& run) { return run.tension_nN_per_um[r]; });
+}
+
+void add_stresses(Numbers& numbers) {
+    for (const CellStressRow& row : all_cell_stresses())
+        for (const auto weighting : {Weighting::equal, Weighting::area})
+            numbers.add(std::string(row.quantity) +
+                            (weighting == Weighting::area ? "_by_area" : ""),
+                        "Pa", [&](const RunStatistics& run) {
+                            return k_Pa_per_kPa * run.mean_stress_kPa(row, weighting);
+                        });
+}
+
+void add_forces(Numbers& numbers, const SetupStatistics& setup) {
+    const auto forces = [](const RunStatistics& run) {
+        return contact_forces(run.pairs, run.touching_area_um2, ForceNorm::all);
+    };
+    numbers.add("mean_contact_force", "nN",
+                [&](const RunStatistics& run) { return forces(run).mean_nN; });
+    numbers.add("tensile_share", "1",
+                [&](const RunStatistics& run) { return forces(run).tensile_share; });
+    for (const auto scale : {TailScale::one, TailScale::free}) {
+        const TailFit fit = fit_tail(pooled_forces(setup, ForceNorm::all), scale);
+        Estimate exponent;
+        if (fit.exists())
+            exponent = {fit.beta, fit.beta_error, static_cast<int>(setup.runs.size())};
+        numbers.add_of_all(scale == TailScale::one ? "beta_b_1" : "beta_b_free", "1", exponent);
+    }
+}
+
+}  // namespace
+
+std::vector<double> pooled_forces(const SetupStatistics& setup, ForceNorm norm) {
+    std::vector<double> pooled;
+    for (const RunStatistics& run : setup.runs) {
+        const ContactForces forces = contact_forces(run.pairs, run.touching_area_um2, norm);
+        pooled.insert(pooled.end(), forces.f.begin(), forces.f.end());
+    }
+    return pooled;
+}
+
+std::vector<SetupNumber> numbers_of(const SetupStatistics& setup) {
+    Numbers numbers(setup);
+    add_totals(numbers);
+    add_profile(numbers);
+    add_regions(numbers);
+    add_stresses(numbers);
+    add_forces(numbers, setup);
+    return numbers.take();
+}
+
+}  // namespace spheroscope::statistics

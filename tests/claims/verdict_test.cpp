@@ -1,0 +1,178 @@
+// Verdicts follow from numbers: each one of the paper's claims can come out both ways.
+#include "engine/claims/verdict.hpp"
+#include "engine/scene/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace spheroscope::claims {
+namespace {
+
+using statistics::SetupNumber;
+
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+
+ClaimTable paper() { return load_claims(SPHEROSCOPE_SOURCE_DIR "/scenes/paper/paper.claims"); }
+
+Claim claim(Range paper, double tolerance = 0.0) {
+    Claim claim;
+    claim.paper = paper;
+    claim.tolerance = tolerance;
+    return claim;
+}
+
+TEST(Judge, TakesTheLargerOfTwoErrorsAndTheTolerance) {
+    const Range eighteen{18.0, 18.0};
+    EXPECT_EQ(judge(claim(eighteen), {19.0, 0.51, 5}), Verdict::agrees);
+    EXPECT_EQ(judge(claim(eighteen), {19.0, 0.49, 5}), Verdict::differs);
+    EXPECT_EQ(judge(claim(eighteen, 1.5), {19.0, 0.1, 5}), Verdict::agrees);
+    EXPECT_EQ(judge(claim(eighteen, 1.5), {19.6, 0.1, 5}), Verdict::differs);
+    EXPECT_EQ(judge(claim(eighteen), {18.0, k_nan, 1}), Verdict::agrees);
+    EXPECT_EQ(judge(claim(eighteen), {18.1, k_nan, 1}), Verdict::differs);
+    EXPECT_EQ(judge(claim(eighteen), {k_nan, k_nan, 0}), Verdict::no_data);
+}
+
+TEST(Judge, GivesAOneSidedClaimNoGraceForItsErrors) {
+    Range positive;
+    positive.min = 0.0;
+    EXPECT_EQ(judge(claim(positive), {0.1, 1.0, 5}), Verdict::agrees);
+    EXPECT_EQ(judge(claim(positive), {-0.1, 1.0, 5}), Verdict::differs);
+    EXPECT_EQ(judge(claim(positive, 0.2), {-0.1, 1.0, 5}), Verdict::agrees);
+}
+
+TEST(Judge, LeavesOpenWhatCannotBeDecided) {
+    Claim open = claim({1.0, 1.0});
+    open.undecidable = "the paper does not say of what";
+    EXPECT_EQ(judge(open, {1.0, 0.1, 5}), Verdict::not_decidable);
+}
+
+MeasuredSetup measured(std::vector<SetupNumber> numbers) {
+    MeasuredSetup setup;
+    setup.numbers = std::move(numbers);
+    setup.n_runs = 2;
+    return setup;
+}
+
+SetupNumber number(const std::string& name, std::vector<double> by_run) {
+    const statistics::Estimate estimate = statistics::mean_over_seeds(by_run);
+    return {name, "1", estimate, std::move(by_run)};
+}
+
+TEST(JudgeClaims, ComparesNumbersOfOneSetupSeedBySeed) {
+    const ClaimTable table = parse_claims(R"(
+[[setup]]
+name = "a"
+scene = "a.toml"
+seeds = [1, 2]
+[[setup]]
+name = "b"
+scene = "b.toml"
+seeds = [1, 2]
+[[claim]]
+id = "same"
+source = "s"
+says = "t"
+setup = "a"
+number = "x"
+minus = { number = "y" }
+above = 0
+[[claim]]
+id = "other"
+source = "s"
+says = "t"
+setup = "a"
+number = "x"
+over = { setup = "b" }
+factor = 10
+is = 20
+[[claim]]
+id = "gone"
+source = "s"
+says = "t"
+setup = "b"
+number = "y"
+above = 0
+)",
+                                          "t.claims");
+    const MeasuredSetups setups{
+        {"a", measured({number("x", {1.0, 3.0}), number("y", {0.5, 2.5})})},
+        {"b", measured({number("x", {1.0, 1.0}), number("y", {k_nan, k_nan})})}};
+    const auto judged = judge_claims(table, setups);
+    EXPECT_EQ(judged[0].value.mean, 0.5);
+    EXPECT_EQ(judged[0].value.standard_error, 0.0);
+    EXPECT_EQ(judged[0].verdict, Verdict::agrees);
+    EXPECT_EQ(judged[1].value.mean, 20.0);
+    EXPECT_EQ(judged[1].value.standard_error, 10.0);
+    EXPECT_EQ(judged[2].verdict, Verdict::no_data);
+    EXPECT_NE(judged[2].reason.find("undefined"), std::string::npos);
+    EXPECT_EQ(judge_claims(table, {})[0].verdict, Verdict::no_data);
+    EXPECT_NE(claims_markdown(judged, setups).find("| 20 +- 10 |"), std::string::npos);
+    EXPECT_EQ(claims_report(judged, setups).rows.size(), 3U);
+    MeasuredSetups without = setups;
+    without.at("a").numbers.pop_back();
+    EXPECT_THROW(static_cast<void>(judge_claims(table, without)), Error);
+}
+
+TEST(PaperClaims, HaveScenesThatLoad) {
+    const ClaimTable table = paper();
+    for (const ClaimedSetup& setup : table.setups) {
+        std::vector<scene::Override> overrides;
+        for (const std::string& text : setup.settings) {
+            const auto equals = text.find('=');
+            overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
+        }
+        EXPECT_NO_THROW(static_cast<void>(scene::load_scene(table.scene_path(setup), overrides)))
+            << setup.name;
+    }
+}
+
+TEST(PaperClaims, AskForNumbersThatThereAre) {
+    statistics::SetupStatistics none;
+    none.runs.emplace_back();
+    none.runs.front().equal_kPa.assign(1, {});
+    none.runs.front().area_kPa.assign(1, {});
+    MeasuredSetups measured_setups;
+    const ClaimTable table = paper();
+    for (const ClaimedSetup& setup : table.setups) {
+        measured_setups[setup.name] = measured(statistics::numbers_of(none));
+    }
+    EXPECT_NO_THROW(static_cast<void>(judge_claims(table, measured_setups)));
+}
+
+/// Each claim with numbers that meet it, and with numbers that do not.
+TEST(PaperClaims, EachVerdictFlipsWithItsNumber) {
+    const ClaimTable table = paper();
+    for (const Claim& claim : table.claims) {
+        if (!claim.undecidable.empty()) continue;
+        const double inside = std::isinf(claim.paper.min)   ? claim.paper.max - 1e-3
+                              : std::isinf(claim.paper.max) ? claim.paper.min + 1e-3
+                                                            : claim.paper.min;
+        const double outside = std::isinf(claim.paper.min)
+                                   ? claim.paper.max + claim.tolerance + 1e-3
+                                   : claim.paper.min - claim.tolerance - 1e-3;
+        for (const bool is_met : {true, false}) {
+            const double wanted = (is_met ? inside : outside) / claim.factor;
+            // The compared number is x, x - 0 or x / 1.
+            MeasuredSetups setups;
+            const auto add = [&](const Quantity& quantity, double value) {
+                MeasuredSetup& setup = setups[quantity.setup];
+                setup.n_runs = 1;
+                setup.numbers.push_back({quantity.number, "1", {value, 0.0, 1}, {value}});
+            };
+            add(claim.measured, wanted);
+            if (claim.minus) add(*claim.minus, 0.0);
+            if (claim.over) add(*claim.over, 1.0);
+            ClaimTable one = table;
+            one.claims = {claim};
+            EXPECT_EQ(judge_claims(one, setups).front().verdict,
+                      is_met ? Verdict::agrees : Verdict::differs)
+                << claim.id;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace spheroscope::claims

@@ -1,0 +1,112 @@
+// reproduce: runs that are missing are made, claims judged, failures listed.
+#include "tests/cli/program_runner.hpp"
+#include "tests/cli/three_cells_scene.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace spheroscope {
+namespace {
+
+const std::string k_claims = R"(
+[[setup]]
+name = "soft"
+scene = "small.toml"
+set = ["cortex.elastic.E=1 kPa"]
+seeds = [1, 2]
+quick_seeds = [1]
+[[setup]]
+name = "stiff"
+scene = "small.toml"
+seeds = [1]
+[[claim]]
+id = "three_cells_have_a_rim"
+source = "of its own"
+says = "all cells of so few are at the rim"
+setup = ["soft", "stiff"]
+number = "rim_share"
+is = 1
+[[claim]]
+id = "they_are_a_core"
+source = "of its own"
+says = "there is none"
+setup = "soft"
+number = "rim_share"
+below = 0.5
+)";
+
+class Reproduce : public ProgramRunner {
+  protected:
+    Reproduce() {
+        write_file("small.toml", k_three_cells_scene);
+        write_file("small.claims", k_claims);
+    }
+    Outcome reproduce(const std::string& extent) {
+        return call({"reproduce", "small.claims", extent, "-o", "out", "--threads", "1", "--quiet",
+                     "--json"});
+    }
+    static std::string verdict(const Outcome& outcome, std::size_t row) {
+        return nlohmann::json::parse(outcome.out)["claims"][row]["verdict"];
+    }
+};
+
+TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
+    const Outcome quick = reproduce("--quick");
+    ASSERT_EQ(quick.code, 0) << quick.err;
+    EXPECT_EQ(verdict(quick, 0), "agrees");
+    EXPECT_EQ(verdict(quick, 1), "no data");  // no quick seeds
+    EXPECT_EQ(verdict(quick, 2), "differs");
+    EXPECT_TRUE(std::filesystem::exists(path("out/soft/seed=1/run.h5")));
+    EXPECT_FALSE(std::filesystem::exists(path("out/soft/seed=2/run.h5")));
+    const auto made = std::filesystem::last_write_time(path("out/soft/seed=1/run.h5"));
+
+    const Outcome full = reproduce("--full");
+    ASSERT_EQ(full.code, 0) << full.err;
+    EXPECT_EQ(verdict(full, 1), "agrees");
+    EXPECT_EQ(nlohmann::json::parse(full.out)["claims"][0]["seeds"], 2);
+    EXPECT_EQ(std::filesystem::last_write_time(path("out/soft/seed=1/run.h5")), made);
+
+    std::filesystem::remove(path("out/stiff/seed=1/run.h5"));
+    const Outcome stored = reproduce("--stored");
+    ASSERT_EQ(stored.code, 0) << stored.err;
+    EXPECT_EQ(verdict(stored, 0), "agrees");
+    EXPECT_EQ(verdict(stored, 1), "no data");
+    for (const char* file : {"out/claims.csv", "out/claims.md", "out/numbers.csv"})
+        EXPECT_GT(std::filesystem::file_size(path(file)), 100U) << file;
+}
+
+TEST_F(Reproduce, ListsARunThatFailsWithItsReason) {
+    write_file("small.claims", k_claims + "\n[[setup]]\nname = \"wild\"\nscene = \"small.toml\"\n"
+                                          "set = [\"method.name=forward_euler\", "
+                                          "\"method.dt=50 ms\", \"cortex.elastic.E=2000 kPa\"]\n"
+                                          "seeds = [1]\nquick_seeds = [1]\n");
+    const Outcome outcome = reproduce("--quick");
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.out.find("wild, seed 1"), std::string::npos) << outcome.out;
+    EXPECT_EQ(verdict(outcome, 0), "agrees");
+}
+
+TEST_F(Reproduce, RefusesARunOfAnotherScene) {
+    ASSERT_EQ(reproduce("--quick").code, 0);
+    std::string changed = k_claims;
+    changed.replace(changed.find("E=1 kPa"), 7, "E=2 kPa");
+    write_file("small.claims", changed);
+    const Outcome outcome = reproduce("--quick");
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.out.find("another scene"), std::string::npos) << outcome.out;
+    EXPECT_EQ(verdict(outcome, 0), "no data");
+}
+
+TEST_F(Reproduce, WantsToKnowHowMuch) {
+    EXPECT_EQ(call({"reproduce", "small.claims"}).code, 2);
+    EXPECT_EQ(call({"reproduce", "small.claims", "--quick", "--full"}).code, 2);
+    const Outcome outcome = call({"reproduce", "small.claims", "--quick", "--only", "none"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("setups are soft, stiff"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace spheroscope
