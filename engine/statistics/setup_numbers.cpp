@@ -50,9 +50,8 @@ void add_profile(Numbers& numbers) {
     numbers.add("sigma_h_peak_depth", "um",
                 [](const RunStatistics& run) { return depth_um(run, peak); });
     // The paper defines sigma_h as the whole trace once, and as a third of it once.
-    numbers.add("core_trace_over_2_omega_R", "1", [](const RunStatistics& run) {
-        return 3.0 * (1.0 - run.totals.eps_YL_omega);
-    });
+    numbers.add("core_trace_over_2_omega_R", "1",
+                [](const RunStatistics& run) { return 3.0 * (1.0 - run.totals.eps_YL_omega); });
     numbers.add("void_fraction", "1",
                 [](const RunStatistics& run) { return void_fraction(run.voids, 0.5); });
     numbers.add("rim_share", "1", [](const RunStatistics& run) {
