@@ -93,15 +93,17 @@ PngTexts MoviePainter::texts(std::span<const Shown> shown) {
     Hidden& h = *hidden_;
     PngTexts all;
     std::vector<std::string> fingerprints;
+    std::string beside;
     for (std::size_t k = 0; k < shown.size(); ++k) {
         PngTexts texts =
             make_provenance(h.snapshot(k, shown[k].frame), h.picture, shown[k].view, h.drawn_by);
         fingerprints.push_back(texts[k_fingerprint_key]);
-        for (auto& [key, text] : texts) all[(k == 0 ? "" : k_beside) + key] = std::move(text);
+        for (auto& [key, text] : texts) all[beside + key] = std::move(text);
+        all.erase(beside + k_fingerprint_key);
+        beside += k_beside;
     }
     if (h.strip) fingerprints.push_back(h.strip_text);
     all[k_fingerprint_key] = join_fingerprints(fingerprints);
-    all.erase(std::string(k_beside) + k_fingerprint_key);
     return all;
 }
 

@@ -28,11 +28,11 @@ struct Survey {
 /// Key of Renderer::drawn_with among the texts of a picture's file.
 inline constexpr const char* k_drawn_with_key = "Drawn with";
 
-/// Paints the pictures of a movie: one run or two side by side, and the plot below if the picture
+/// Paints the pictures of a movie: runs side by side, and the plot below if the picture
 /// asks for one. One thread makes, uses and destroys it. Runs and surveys must live as long.
 class MoviePainter {
   public:
-    /// runs, surveys: one or two of each.
+    /// runs, surveys: one of each for every part of the picture; a run may be there several times.
     MoviePainter(std::span<FrameSource* const> runs, std::span<const Survey> surveys,
                  const scene::Picture& picture, std::string drawn_by);
     ~MoviePainter();
@@ -42,8 +42,8 @@ class MoviePainter {
         int frame = 0;
         View view;
     };
-    /// What the picture's file says of it; with two runs, the keys of the second begin with
-    /// "Beside: ". The fingerprint is that of the whole picture.
+    /// What the picture's file says of it; the keys of the second run begin with "Beside: ", those
+    /// of a third with that twice. The fingerprint is that of the whole picture.
     [[nodiscard]] PngTexts texts(std::span<const Shown> shown);
     /// The picture. Makes the renderers when it is called first.
     [[nodiscard]] Image paint(std::span<const Shown> shown);

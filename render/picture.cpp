@@ -318,7 +318,9 @@ Image Renderer::draw(const Snapshot& snapshot, const View& view) {
     const std::vector<int> cells = h.drawn_cells(snapshot, final_camera, cutaway);
     h.colour_cells(snapshot, cells, furniture);
     h.context.draw(h.surfaces.actor(), drawn_camera, reach_um, h.cells_drawn);
-    if (snapshot.load.probe.acts()) h.draw_load(snapshot, drawn_camera, reach_um, cutaway);
+    // Cells that are pulled apart are no longer under the bead.
+    if (snapshot.load.probe.acts() && h.picture.exploded == 0.0)
+        h.draw_load(snapshot, drawn_camera, reach_um, cutaway);
     if (draws_axes) h.draw_stress_axes(snapshot, cells, drawn_camera, reach_um, furniture);
     if (draws_network) h.draw_network(snapshot, drawn_camera, reach_um, cutaway, furniture);
     Image image = make_image(h.cells_drawn, n_samples, drawn_camera.px_per_um);

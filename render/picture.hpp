@@ -46,8 +46,8 @@ struct View {
 /// the same input. One thread makes, uses and destroys it.
 class Renderer {
   public:
-    /// Throws Error when the picture wants a field, or axes, that the run does not hold, has a bad size or an
-    /// empty range (usage), or when nothing can be drawn here (environment).
+    /// Throws Error when the picture wants a field, or axes, that the run does not hold, has a bad
+    /// size or an empty range (usage), or when nothing can be drawn here (environment).
     Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture);
     ~Renderer();
 

@@ -23,7 +23,7 @@ const SetupNumber& find_number(const Quantity& quantity, const MeasuredSetups& m
     const auto at = measured.find(quantity.setup);
     if (at == measured.end()) throw NoData{quantity.setup + " was not run"};
     const MeasuredSetup& setup = at->second;
-    if (setup.n_runs == 0)
+    if (setup.runs.empty())
         throw NoData{fmt::format("{}: {}", quantity.setup,
                                  setup.troubles.empty() ? "no run" : setup.troubles.front())};
     const auto number =
@@ -132,6 +132,9 @@ std::vector<JudgedClaim> judge_claims(const ClaimTable& table, const MeasuredSet
             row.value = value_of(claim, measured);
             row.verdict = judge(claim, row.value);
             if (row.verdict == Verdict::not_decidable) row.reason = claim.undecidable;
+            if (row.verdict == Verdict::agrees &&
+                claim.paper.distance(row.value.mean) > claim.tolerance)
+                row.reason = "by its error alone, which is larger than the tolerance";
         } catch (const NoData& none) {
             row.reason = none.reason;
         }
@@ -163,6 +166,25 @@ reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
              setup == nullptr ? reports::TableCell{none} : std::int64_t{setup->n_nodes},
              std::string(name_of(row.verdict)), row.reason});
     }
+    return table;
+}
+
+reports::ReportTable runs_report(const MeasuredSetups& measured) {
+    reports::ReportTable table;
+    table.columns = {{"setup"}, {"seed"}, {"outcome"}, {"time_s"}, {"wall_s"}, {"version"}};
+    for (const TotalsRow& row : all_totals()) table.columns.push_back({std::string(row.name)});
+    for (const auto& [name, setup] : measured)
+        for (const MeasuredRun& run : setup.runs) {
+            std::vector<reports::TableCell> cells{name,        static_cast<std::int64_t>(run.seed),
+                                                  run.outcome, run.time_s,
+                                                  run.wall_s,  run.version};
+            for (const TotalsRow& row : all_totals()) {
+                const double value = value_of(row, run.totals);
+                cells.push_back(std::isnan(value) ? reports::TableCell{reports::Missing{"-"}}
+                                                  : reports::TableCell{value});
+            }
+            table.rows.push_back(std::move(cells));
+        }
     return table;
 }
 

@@ -11,6 +11,14 @@
 
 namespace spheroscope::claims {
 
+/// One run behind a setup.
+struct MeasuredRun {
+    std::uint64_t seed = 0;
+    std::string outcome, version;
+    double time_s = 0.0, wall_s = 0.0;
+    Totals totals{};
+};
+
 /// What was measured of one setup, or why nothing was.
 struct MeasuredSetup {
     std::vector<statistics::SetupNumber> numbers;
@@ -18,8 +26,7 @@ struct MeasuredSetup {
     std::vector<std::string> remarks;   ///< "seed 2 ended at its cap"
     std::string law;                    ///< of contact
     int n_cells = 0, n_nodes = 0;
-    int n_runs = 0;       ///< measured
-    double wall_s = 0.0;  ///< of those that were made now
+    std::vector<MeasuredRun> runs;
 };
 /// By the setup's name; one that is not there was left out.
 using MeasuredSetups = std::map<std::string, MeasuredSetup>;
@@ -34,7 +41,7 @@ struct JudgedClaim {
     const Claim* claim = nullptr;
     statistics::Estimate value;  ///< of the compared number, in the claim's unit
     Verdict verdict = Verdict::no_data;
-    std::string reason;  ///< of `no_data` and `not_decidable`
+    std::string reason;  ///< of `no_data` and `not_decidable`; what an agreement rests on
 };
 
 /// Verdict on one number. `value.standard_error` NaN (one seed) counts as none.
@@ -49,7 +56,10 @@ struct JudgedClaim {
 [[nodiscard]] reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
                                                  const MeasuredSetups& measured);
 
-/// The same as a table of Markdown.
+/// One row for each run that was measured: outcome, times, all totals.
+[[nodiscard]] reports::ReportTable runs_report(const MeasuredSetups& measured);
+
+/// The claims as a table of Markdown.
 [[nodiscard]] std::string claims_markdown(const std::vector<JudgedClaim>& judged,
                                           const MeasuredSetups& measured);
 

@@ -107,7 +107,9 @@ MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
         try {
             auto run = measured_run(table, setup, seed, place, extent, options, invocation);
             if (!run) continue;
-            measured.wall_s += RunFileReader(place.run_file()).end().wall_time_s;
+            measured.runs.push_back({run->seed, run->outcome, run->version, run->time_s,
+                                     RunFileReader(place.run_file()).end().wall_time_s,
+                                     run->totals});
             if (run->outcome == "cap")
                 measured.remarks.push_back(fmt::format(
                     "seed {} ended at its cap of time, not at rest: t = {:.0f} s, {} flipped "
@@ -121,8 +123,7 @@ MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
             measured.troubles.push_back(fmt::format("seed {}: {}", seed, error.what()));
         }
     }
-    measured.n_runs = static_cast<int>(runs.runs.size());
-    if (measured.n_runs == 0) return measured;
+    if (measured.runs.empty()) return measured;
     measured.numbers = statistics::numbers_of(runs);
     measured.law = runs.setup().law;
     measured.n_cells = runs.setup().n_cells;
@@ -171,13 +172,13 @@ reports::ReportTable numbers_table(const MeasuredSetups& measured) {
 std::vector<std::string> remarks_on(const MeasuredSetups& measured) {
     std::vector<std::string> remarks;
     double wall_s = 0.0;
-    int n_runs = 0, n_failed = 0;
+    std::size_t n_runs = 0, n_failed = 0;
     for (const auto& [name, setup] : measured) {
         for (const std::string& text : setup.troubles) remarks.push_back(name + ", " + text);
         for (const std::string& text : setup.remarks) remarks.push_back(name + ", " + text);
-        wall_s += setup.wall_s;
-        n_runs += setup.n_runs;
-        n_failed += static_cast<int>(setup.troubles.size());
+        for (const claims::MeasuredRun& run : setup.runs) wall_s += run.wall_s;
+        n_runs += setup.runs.size();
+        n_failed += setup.troubles.size();
     }
     remarks.push_back(fmt::format("{} runs, {} of wall time in all; {} failed", n_runs,
                                   duration_text(wall_s), n_failed));
@@ -214,7 +215,7 @@ nlohmann::json json_of(const JudgedClaim& row) {
             {"reason", row.reason}};
 }
 
-/// claims.csv, claims.md, numbers.csv; returns their names.
+/// claims.csv, claims.md, numbers.csv, runs.csv; returns their names.
 std::vector<std::string>
 write_files(const std::string& folder, const std::vector<JudgedClaim>& judged,
             const MeasuredSetups& measured, const std::vector<std::string>& remarks,
@@ -224,10 +225,11 @@ write_files(const std::string& folder, const std::vector<JudgedClaim>& judged,
     std::string list;
     for (const std::string& comment : comments) list += "* " + comment + "\n";
     const std::vector<std::string> files{folder + "/claims.csv", folder + "/claims.md",
-                                         folder + "/numbers.csv"};
+                                         folder + "/numbers.csv", folder + "/runs.csv"};
     write_text_file(files[0], claims::claims_report(judged, measured).csv_text(comments));
     write_text_file(files[1], claims::claims_markdown(judged, measured) + "\n" + list);
     write_text_file(files[2], numbers_table(measured).csv_text(comments));
+    write_text_file(files[3], claims::runs_report(measured).csv_text(comments));
     return files;
 }
 
@@ -246,7 +248,7 @@ ExitCode reproduce(const ReproduceArguments& arguments, const Invocation& invoca
         if (is_wanted(setup, arguments) && interrupt_signal() == 0) {
             MeasuredSetup one =
                 measure_setup(table, setup, folder, extent, arguments.common, invocation);
-            if (one.n_runs > 0 || !one.troubles.empty()) measured[setup.name] = std::move(one);
+            if (!one.runs.empty() || !one.troubles.empty()) measured[setup.name] = std::move(one);
         }
     const std::vector<JudgedClaim> judged = claims::judge_claims(table, measured);
     const std::vector<std::string> remarks = remarks_on(measured);

@@ -52,7 +52,7 @@ TEST(Judge, LeavesOpenWhatCannotBeDecided) {
 MeasuredSetup measured(std::vector<SetupNumber> numbers) {
     MeasuredSetup setup;
     setup.numbers = std::move(numbers);
-    setup.n_runs = 2;
+    setup.runs.resize(2);
     return setup;
 }
 
@@ -106,6 +106,7 @@ above = 0
     EXPECT_EQ(judged[0].verdict, Verdict::agrees);
     EXPECT_EQ(judged[1].value.mean, 20.0);
     EXPECT_EQ(judged[1].value.standard_error, 10.0);
+    EXPECT_TRUE(judged[1].reason.empty());
     EXPECT_EQ(judged[2].verdict, Verdict::no_data);
     EXPECT_NE(judged[2].reason.find("undefined"), std::string::npos);
     EXPECT_EQ(judge_claims(table, {})[0].verdict, Verdict::no_data);
@@ -159,7 +160,7 @@ TEST(PaperClaims, EachVerdictFlipsWithItsNumber) {
             MeasuredSetups setups;
             const auto add = [&](const Quantity& quantity, double value) {
                 MeasuredSetup& setup = setups[quantity.setup];
-                setup.n_runs = 1;
+                setup.runs.resize(1);
                 setup.numbers.push_back({quantity.number, "1", {value, 0.0, 1}, {value}});
             };
             add(claim.measured, wanted);

@@ -74,7 +74,7 @@ TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
     ASSERT_EQ(stored.code, 0) << stored.err;
     EXPECT_EQ(verdict(stored, 0), "agrees");
     EXPECT_EQ(verdict(stored, 1), "no data");
-    for (const char* file : {"out/claims.csv", "out/claims.md", "out/numbers.csv"})
+    for (const char* file : {"out/claims.csv", "out/claims.md", "out/numbers.csv", "out/runs.csv"})
         EXPECT_GT(std::filesystem::file_size(path(file)), 100U) << file;
 }
 

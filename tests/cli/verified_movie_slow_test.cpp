@@ -3,7 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <filesystem>
+#include <fstream>
 
 namespace spheroscope {
 namespace {
@@ -60,6 +62,26 @@ TEST_F(VerifiedMovie, OfTwoRunsSideBySideIsVerifiedWithBoth) {
     const Outcome refused = call({"movie", "--verify", "o/frames/main_compared/000010.png"});
     EXPECT_EQ(refused.code, 2);
     EXPECT_NE(refused.err.find("--compare"), std::string::npos) << refused.err;
+}
+
+/// Width of a PNG, from its header.
+int width_px(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::array<unsigned char, 20> head{};
+    in.read(reinterpret_cast<char*>(head.data()), head.size());
+    return (head[16] << 24) | (head[17] << 16) | (head[18] << 8) | head[19];
+}
+
+TEST_F(VerifiedMovie, FramesBesideEachOtherAreOnePicture) {
+    ASSERT_EQ(call({"render", "o/run.h5", "--frame", "20", "-o", "o"}).code, 0);
+    const Outcome strip = call({"render", "o/run.h5", "--frames", "anneal,20,-1", "-o", "o"});
+    ASSERT_EQ(strip.code, 0) << strip.err;
+    EXPECT_EQ(width_px(path("o/main_strip.png")), 3 * width_px(path("o/main_000020.png")));
+    const Outcome refused = call({"render", "o/run.h5", "--frames", "anneal,fly", "-o", "o"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("got 'fly'"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("anneal"), std::string::npos) << refused.err;
+    EXPECT_EQ(call({"render", "o/run.h5", "--frames", "100000", "-o", "o"}).code, 2);
 }
 
 }  // namespace

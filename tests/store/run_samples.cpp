@@ -63,7 +63,8 @@ std::shared_ptr<const RunHeader> make_header(int n_cells, int n_nodes) {
     header->n_cells = n_cells;
     header->title = "Zwei Zellen, γ";
     header->scene_name = "pair.toml";
-    header->resolved_scene = std::string(100000, '#') + "\n[cells]\n";  // longer than an attribute
+    header->resolved_scene.assign(100000, '#');  // longer than an attribute
+    header->resolved_scene += "\n[cells]\n";
     header->seed = 0xfedcba9876543210U;
     header->version = "0.1.0-abc";
     header->command_line = "spheroscope run pair.toml";
