@@ -3,8 +3,9 @@ add_library(spheroscope_flags INTERFACE)
 target_include_directories(spheroscope_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(spheroscope_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wold-style-cast -Wdouble-promotion
-  # GCC 12 sees overlaps and lengths in strings that are not there (GCC bugs 105651, 105329)
+  # GCC 12 sees overlaps, lengths and bounds in strings that are not there (GCC bugs 105651, 105329)
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
   # a*b+c is rounded twice everywhere, so that results do not depend on what the compiler fuses
   -ffp-contract=off)
 if(SPHEROSCOPE_WERROR)
