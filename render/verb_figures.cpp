@@ -18,6 +18,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spheroscope {
@@ -116,8 +117,10 @@ void add_to_caption(reports::Plot& plot, const std::vector<std::string>& remarks
     std::vector<std::string> command =
         lines_of(fmt::format("Made by: {} ({})", invocation.command_line, invocation.version), n);
     if (command.size() > k_most_command_lines) {
+        constexpr std::string_view more = " ... (all of it in the CSV)";
         command.resize(k_most_command_lines);
-        command.back() += " ... (all of it in the CSV)";
+        command.back() = lines_of(command.back(), n - more.size()).front();
+        command.back() += more;
     }
     lines.insert(lines.end(), command.begin(), command.end());
     plot.caption = lines;

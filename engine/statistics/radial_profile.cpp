@@ -46,18 +46,23 @@ std::vector<ProfilePoint> pooled_profile(std::span<const std::vector<ProbeSample
 }
 
 double zero_crossing(std::span<const ProfilePoint> profile) {
-    for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
-        const ProfilePoint &a = profile[i], &b = profile[i + 1];
+    for (std::size_t i = profile.size(); i-- > 1;) {
+        const ProfilePoint &a = profile[i - 1], &b = profile[i];
         if (a.mean < 0.0 && b.mean >= 0.0) return a.r + (b.r - a.r) * (-a.mean) / (b.mean - a.mean);
     }
     return std::numeric_limits<double>::quiet_NaN();
 }
 
 double peak(std::span<const ProfilePoint> profile) {
-    const auto largest =
-        std::max_element(profile.begin(), profile.end(),
-                         [](const auto& a, const auto& b) { return a.mean < b.mean; });
-    return largest == profile.end() ? std::numeric_limits<double>::quiet_NaN() : largest->r;
+    const double from = zero_crossing(profile);
+    double r = std::numeric_limits<double>::quiet_NaN();
+    double largest = -std::numeric_limits<double>::infinity();
+    for (const ProfilePoint& point : profile)
+        if (!(point.r < from) && point.mean > largest) {
+            largest = point.mean;
+            r = point.r;
+        }
+    return r;
 }
 
 }  // namespace spheroscope::statistics

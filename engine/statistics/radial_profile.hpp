@@ -27,10 +27,12 @@ struct ProfilePoint {
 [[nodiscard]] std::vector<ProfilePoint>
 pooled_profile(std::span<const std::vector<ProbeSample>> replicates);
 
-/// Where a profile first passes from below zero to above it, going outward, over R_th, by straight
-/// lines between bins; NaN: nowhere.
+/// Where a profile passes from below zero to above it for the last time going outward, over R_th,
+/// by straight lines between bins; NaN: nowhere. Farther in, where bins hold few cells, noise
+/// crosses zero as well.
 [[nodiscard]] double zero_crossing(std::span<const ProfilePoint> profile);
-/// Where it is largest, over R_th; NaN for an empty one.
+/// Where it is largest outside of that crossing, or anywhere if there is none, over R_th; NaN for
+/// an empty one.
 [[nodiscard]] double peak(std::span<const ProfilePoint> profile);
 
 }  // namespace spheroscope::statistics

@@ -158,6 +158,7 @@ TEST(Numbers, HaveTheDepthsOfTheProfile) {
         return std::nan("");
     };
     EXPECT_NEAR(find("sigma_h_zero_depth"), 50.0 * (1.0 - 0.59), 0.01);
+    EXPECT_NEAR(find("sigma_h_zero_depth_pooled"), 50.0 * (1.0 - 0.59), 0.01);
     EXPECT_NEAR(find("void_fraction"), 0.0, 1e-12);
     EXPECT_NEAR(find("mean_normal_stress"), -100.0, 1e-9);
     EXPECT_NEAR(find("mean_normal_stress_by_area"), -200.0, 1e-9);

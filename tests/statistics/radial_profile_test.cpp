@@ -55,6 +55,15 @@ TEST(RadialProfile, LeavesOutBinsWithFewProbesAndValuesThatAreUndefined) {
     EXPECT_EQ(profile[0].mean, 1.0);
 }
 
+TEST(RadialProfile, CrossesZeroWhereItDoesSoForTheLastTimeAndPeaksOutsideOfIt) {
+    // Noise in the middle is above zero, and higher than the rim.
+    const auto profile = pooled_profile(Replicates{samples_of([](double r) {
+        return r < 0.1 ? 5.0 : r < 1.0 ? r - 0.6 : 1.4 - r;
+    })});
+    EXPECT_NEAR(zero_crossing(profile), 0.6, 0.01);
+    EXPECT_NEAR(peak(profile), 0.975, 0.03);
+}
+
 TEST(RadialProfile, ThatStaysOnOneSideHasNoCrossing) {
     EXPECT_TRUE(std::isnan(
         zero_crossing(pooled_profile(Replicates{samples_of([](double) { return -1.0; })}))));
