@@ -1,6 +1,5 @@
 #include "engine/claims/claim_table.hpp"
 
-#include "engine/base/nearest_word.hpp"
 #include "engine/scene/document.hpp"
 
 #include <fmt/format.h>

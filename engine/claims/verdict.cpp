@@ -1,7 +1,5 @@
 #include "engine/claims/verdict.hpp"
 
-#include "engine/base/nearest_word.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
