@@ -1,6 +1,7 @@
 #include "engine/store/hdf5_file.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/store/gzip_chunk.hpp"
 #include "engine/store/hdf5_driver.hpp"
 
 #include <hdf5.h>
@@ -179,9 +180,17 @@ template <class T> void File::write_array(const std::string& object, std::span<c
     const Handle dataset(check(
         H5Dcreate2(file_, object.c_str(), memory_type<T>(), space, H5P_DEFAULT, how, H5P_DEFAULT),
         what));
-    if (!values.empty())
+    if (values.empty()) return;
+    if (packing == Packing::none) {
         check(H5Dwrite(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
               what);
+        return;
+    }
+    const GzipChunk chunk = pack_chunk(std::as_bytes(values), sizeof(T));
+    const std::vector<hsize_t> first(extent.size(), 0);
+    check(H5Dwrite_chunk(dataset, H5P_DEFAULT, chunk.filter_mask, first.data(), chunk.bytes.size(),
+                         chunk.bytes.data()),
+          what);
 }
 
 Shape File::shape(const std::string& object) const {
