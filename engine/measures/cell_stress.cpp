@@ -50,14 +50,11 @@ void for_films_of_group(const Configuration& at, const Contacts::Group& group, c
     }
 }
 
-}  // namespace
-
-namespace {
-
-/// loop(n, f) calls f(0) ... f(n - 1), in any order.
-template <class Loop> std::vector<Mat3> stress_tensors(const Configuration& at, const Loop& loop) {
+/// Virials of every cell: those of its contact forces, and half of each pair's own. loop(n, f)
+/// calls f(0) ... f(n - 1), in any order.
+template <class Loop> std::vector<Mat3> contact_virials(const Configuration& at, const Loop& loop) {
     const std::vector<Contacts::Group>& groups = at.contacts.groups;
-    std::vector<std::array<Mat3, 2>> virial(groups.size());  // of cell_a and cell_b
+    std::vector<std::array<Mat3, 2>> of_group(groups.size());  // of cell_a and cell_b
     loop(static_cast<int>(groups.size()), [&](int g) {
         const Contacts::Group& group = groups[idx(g)];
         Mat3 of_a = Mat3::Zero(), of_b = Mat3::Zero(), shared = Mat3::Zero();
@@ -73,61 +70,50 @@ template <class Loop> std::vector<Mat3> stress_tensors(const Configuration& at, 
             (cell == group.cell_a ? of_a : of_b) += film;
             shared -= film;
         });
-        virial[idx(g)] = {of_a + 0.5 * shared, of_b + 0.5 * shared};
+        of_group[idx(g)] = {of_a + 0.5 * shared, of_b + 0.5 * shared};
     });
-    std::vector<Mat3> stress(at.model.radius_um.size(), Mat3::Zero());
+    std::vector<Mat3> virial(at.model.radius_um.size(), Mat3::Zero());
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        stress[idx(groups[g].cell_a)] += virial[g][0];
-        stress[idx(groups[g].cell_b)] += virial[g][1];
+        virial[idx(groups[g].cell_a)] += of_group[g][0];
+        virial[idx(groups[g].cell_b)] += of_group[g][1];
     }
-    for (std::size_t cell = 0; cell < stress.size(); ++cell) {
-        const Mat3 symmetric = 0.5 * (stress[cell] + stress[cell].transpose());
-        stress[cell] = symmetric / at.geometry.volume_um3[cell];
+    return virial;
+}
+
+std::vector<Mat3> stress_from(const Configuration& at, std::vector<Mat3> virial) {
+    for (std::size_t cell = 0; cell < virial.size(); ++cell) {
+        const Mat3 symmetric = 0.5 * (virial[cell] + virial[cell].transpose());
+        virial[cell] = symmetric / at.geometry.volume_um3[cell];
     }
-    return stress;
+    return virial;
 }
 
 }  // namespace
 
 std::vector<Mat3> cell_stress_tensors(const Configuration& at) {
-    return stress_tensors(at, [](int n, const auto& f) {
-        for (int g = 0; g < n; ++g) f(g);
-    });
+    return stress_from(at, contact_virials(at, [](int n, const auto& f) {
+                           for (int g = 0; g < n; ++g) f(g);
+                       }));
 }
 
 std::vector<Mat3> cell_stress_tensors(const Configuration& at, Workers& workers) {
-    return stress_tensors(at, [&](int n, const auto& f) { workers.loop(n, f); });
+    return stress_from(at, contact_virials(at, [&](int n, const auto& f) { workers.loop(n, f); }));
 }
 
 std::vector<double> hydrostatic_stress_from_inside(const Configuration& at,
+                                                   std::span<const Mat3> cell_stress_kPa,
                                                    std::span<const Vec3> force_nN) {
-    std::vector<double> virial(at.model.radius_um.size(), 0.0);
+    std::vector<double> inside_kPa(cell_stress_kPa.size());
     for (int cell = 0; cell < at.model.n_cells(); ++cell) {
         const std::span<const Vec3> F = at.model.cell_nodes(force_nN, cell);
         const std::span<const Vec3> x = at.model.cell_nodes(at.x_um, cell);
+        double unbalanced_fJ = 0.0;
         for (std::size_t i = 0; i < F.size(); ++i)
-            virial[idx(cell)] -= F[i].dot(x[i] - at.geometry.centre_um[idx(cell)]);
+            unbalanced_fJ += F[i].dot(x[i] - at.geometry.centre_um[idx(cell)]);
+        inside_kPa[idx(cell)] = cell_stress_kPa[idx(cell)].trace() / 3.0 -
+                                unbalanced_fJ / (3.0 * at.geometry.volume_um3[idx(cell)]);
     }
-    for (const Contacts::Group& group : at.contacts.groups) {
-        for (const ContactPair& pair : at.contacts.pairs_of(group)) {
-            const Vec3& origin = origin_of_pair(at, group, pair);
-            double pair_virial = 0.0;
-            for_nodes_of_pair(at, group, pair, [&](int cell, const Vec3& x, const Vec3& F) {
-                virial[idx(cell)] += F.dot(x - at.geometry.centre_um[idx(cell)]);
-                pair_virial -= F.dot(x - origin);
-            });
-            virial[idx(group.cell_a)] += 0.5 * pair_virial;
-            virial[idx(group.cell_b)] += 0.5 * pair_virial;
-        }
-        for_films_of_group(at, group, [&](int cell, const Mat3& film) {
-            virial[idx(cell)] += film.trace();
-            virial[idx(group.cell_a)] -= 0.5 * film.trace();
-            virial[idx(group.cell_b)] -= 0.5 * film.trace();
-        });
-    }
-    for (std::size_t cell = 0; cell < virial.size(); ++cell)
-        virial[cell] /= 3.0 * at.geometry.volume_um3[cell];
-    return virial;
+    return inside_kPa;
 }
 
 }  // namespace spheroscope

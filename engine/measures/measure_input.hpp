@@ -35,11 +35,12 @@ struct MeasureInput {
 [[nodiscard]] std::vector<Mat3> cell_stress_tensors(const Configuration& at);
 [[nodiscard]] std::vector<Mat3> cell_stress_tensors(const Configuration& at, Workers& workers);
 
-/// The same hydrostatic stress from the inside of the cells, kPa [cells]: at rest the contact
-/// forces balance all other forces, so sigma_h = [ - sum (F_i - F_contact,i).(x_i - x_a) + 1/2 sum
-/// Y_AB ] / 3V. Equal to the trace of the tensor up to the residual force: the end-to-end test of a
-/// state of rest. force_nN [all nodes]: the sum of all terms.
-[[nodiscard]] std::vector<double> hydrostatic_stress_from_inside(const Configuration& at,
-                                                                 std::span<const Vec3> force_nN);
+/// The same hydrostatic stress from the inside of the cells, kPa [cells]: what the cells' own terms
+/// carry, sigma_h = [ - sum (F_i - F_contact,i).(x_i - x_a) + 1/2 sum Y_AB ] / 3V with the sum F_i
+/// of all terms, force_nN [all nodes]. The contacts' part of it is that of the tensors,
+/// cell_stress_kPa [cells], so the two differ by the virial of what is not balanced: 0 at rest.
+[[nodiscard]] std::vector<double>
+hydrostatic_stress_from_inside(const Configuration& at, std::span<const Mat3> cell_stress_kPa,
+                               std::span<const Vec3> force_nN);
 
 }  // namespace spheroscope

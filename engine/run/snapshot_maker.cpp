@@ -87,7 +87,8 @@ void prolong(Snapshot& snapshot, const Prolongation& prolongation) {
 }
 
 Snapshot make_snapshot(std::shared_ptr<const RunHeader> header, const MeasureInput& input,
-                       const Diagnostics& diagnostics, const Totals& totals, Work& work) {
+                       const Diagnostics& diagnostics, const Totals& totals, Work& work,
+                       Workers& workers) {
     const Configuration& at = input.at;
     Snapshot snapshot;
     snapshot.x_um.reserve(3 * at.x_um.size());
@@ -95,19 +96,27 @@ Snapshot make_snapshot(std::shared_ptr<const RunHeader> header, const MeasureInp
     for (const Vec3& x : at.x_um) append(snapshot.x_um, x);
     for (const Vec3& gradient : at.geometry.volume_gradient_um2)
         append(snapshot.normal, gradient.normalized());
+    std::vector<PairForce> pairs;
+    const int n_fields = static_cast<int>(header->fields.size());
     for (const Field* field : header->fields) {
-        std::vector<float>& values = snapshot.fields.emplace_back(size_of(*field, at.model));
-        field->compute(input, values);
+        snapshot.fields.emplace_back(size_of(*field, at.model));
         for (Work::TermCount& count : work.fields)
             if (count.term == field->name) ++count.evaluations;
     }
+    workers.loop(n_fields + 1, [&](int k) {
+        const auto f = static_cast<std::size_t>(k);
+        if (k < n_fields)
+            header->fields[f]->compute(input, snapshot.fields[f]);
+        else
+            pairs = pair_forces(at);
+    });
     for (const Vec3& centre : at.geometry.centre_um) append(snapshot.centre_um, centre);
     for (const double volume : at.geometry.volume_um3)
         snapshot.volume_um3.push_back(static_cast<float>(volume));
     snapshot.pressure_kPa.assign(at.model.radius_um.size(), 0.0F);
     for (std::size_t cell = 0; cell < input.pressure_kPa.size(); ++cell)
         snapshot.pressure_kPa[cell] = static_cast<float>(input.pressure_kPa[cell]);
-    for (const PairForce& pair : pair_forces(at))
+    for (const PairForce& pair : pairs)
         if (pair.area_um2 > input.touching_area_um2)
             snapshot.links.push_back({pair.cell_a, pair.cell_b, static_cast<float>(pair.force_nN),
                                       static_cast<float>(pair.area_um2)});

@@ -53,7 +53,7 @@ TEST(DoubletAtRest, HasTheSameHydrostaticStressFromContactsAndFromInside) {
         // The two differ by half of the pairs' own virial: little at rest, where the surfaces
         // touch.
         EXPECT_NEAR(from_inside, from_contacts, 0.01 * scale);
-        EXPECT_NEAR(hydrostatic_stress_from_inside(at, system.force_nN())[c], from_contacts,
+        EXPECT_NEAR(hydrostatic_stress_from_inside(at, stress, system.force_nN())[c], from_contacts,
                     1e-4 * scale);
         virial += V * from_contacts;
         virial_size += V * std::abs(from_contacts);

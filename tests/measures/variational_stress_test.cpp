@@ -38,7 +38,7 @@ TEST(VariationalStress, IsTheVirialOfTheNodesForcesFromOutsideAndFromInside) {
     const std::vector<Mat3> stress = cell_stress_tensors(at);
     // Nothing moves where no force is left: then the inside carries what the contacts do.
     const std::vector<Vec3> at_rest(cells.model.n_all_nodes(), Vec3::Zero());
-    const std::vector<double> from_inside = hydrostatic_stress_from_inside(at, at_rest);
+    const std::vector<double> from_inside = hydrostatic_stress_from_inside(at, stress, at_rest);
     for (std::size_t cell = 0; cell < 2; ++cell) {
         const double V = at.geometry.volume_um3[cell];
         EXPECT_NEAR(V * stress[cell].trace(), virial[cell] + 0.5 * pair_virial, 1e-11 * size);
