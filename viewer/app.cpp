@@ -47,6 +47,7 @@ std::optional<Key> key_of(int glfw_key) {
     case GLFW_KEY_PERIOD: return Key::period;
     case GLFW_KEY_B: return Key::b;
     case GLFW_KEY_C: return Key::c;
+    case GLFW_KEY_I: return Key::i;
     case GLFW_KEY_N: return Key::n;
     case GLFW_KEY_P: return Key::p;
     case GLFW_KEY_Q: return Key::q;
@@ -150,7 +151,8 @@ void App::take_input() {
 
 bool App::command_engine(Action action) {
     if (live_ == nullptr || live_->is_over()) {
-        const bool is_for_engine = action == Action::single_step || action == Action::until_event;
+        const bool is_for_engine = action == Action::single_step || action == Action::until_event ||
+                                   action == Action::look_into_step;
         if (is_for_engine)
             model_.message = live_ == nullptr ? "a stored run has no engine that could make a step"
                                               : "the run is over";
@@ -171,6 +173,13 @@ bool App::command_engine(Action action) {
         Watched watched;
         if (model_.selection) watched = {model_.selection->cell, model_.selection->other_cell};
         channel.run_until_event(watched);
+        model_.follow_engine();
+        return true;
+    }
+    case Action::look_into_step: {
+        std::optional<NodeOfCell> node;
+        if (model_.selection) node = {model_.selection->cell, model_.selection->node};
+        channel.look_into_step(node);
         model_.follow_engine();
         return true;
     }
@@ -238,6 +247,13 @@ void App::take_engines_news() {
         look != nullptr && !engine_runs() && look->diagnostics.steps != logged_step_) {
         logged_step_ = look->diagnostics.steps;
         spdlog::info("paused at t = {:.6g} s, step {}", look->time_s, logged_step_);
+    }
+    if (auto anatomy = live_->channel().take_anatomy()) {
+        spdlog::info("took the step at t = {:.6g} s apart, {} phases", anatomy->time_s,
+                     anatomy->phases.size());
+        model_.live->anatomy = std::move(anatomy);
+        model_.live->moment = 0;
+        model_.live->anatomy_is_new = true;
     }
     if (live_->is_over() && !std::exchange(knows_end_, true)) {
         spdlog::info("the run is over");
@@ -384,6 +400,7 @@ void App::draw_panels() {
     ImGui::BeginChild("right", {0.0F, std::max(1.0F, above - k_message_px - 6.0F)}, true);
     for (const PanelRow& row : all_panels()) {
         if (row.side != Side::right || (row.needs_engine && live_ == nullptr)) continue;
+        if (row.opens_for(model_)) ImGui::SetNextItemOpen(true);
         const ImGuiTreeNodeFlags flags =
             row.opened ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
         if (ImGui::CollapsingHeader(std::string(row.title).c_str(), flags)) row.draw(panel);

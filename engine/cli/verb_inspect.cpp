@@ -5,7 +5,9 @@
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/log.hpp"
 #include "engine/cli/options.hpp"
+#include "engine/cli/step_output.hpp"
 #include "engine/inspect/inspect_contact.hpp"
+#include "engine/inspect/step_of_frame.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -27,7 +29,7 @@ struct InspectArguments {
     std::string contact;  ///< "17-42"; empty: all contacts of the frame
     std::string node;     ///< "CELL:NODE"; empty: none
     FrameChoice frame;
-    bool history = false, events = false, csv = false;
+    bool history = false, events = false, step = false, csv = false;
     CommonOptions common;
 };
 
@@ -63,6 +65,10 @@ void check(const InspectArguments& arguments) {
             throw Error(
                 fmt::format("{} is about all frames; --frame and --time are about one", option));
     };
+    if (arguments.step && !arguments.contact.empty())
+        throw Error("--step is about all cells; --contact is about two of them");
+    if (arguments.step && arguments.csv)
+        throw Error("--step has several tables: --json has them all");
     whole_run(arguments.history, "--history");
     whole_run(arguments.events, "--events");
     if (!arguments.node.empty() && (arguments.history || arguments.events))
@@ -154,6 +160,29 @@ void show_contact(const InspectArguments& arguments, const RunFileReader& reader
     }
 }
 
+/// The step that would begin with one frame.
+void show_step(const InspectArguments& arguments, const RunFileReader& reader,
+               const SnapshotPtr& frame) {
+    FrameSystem whole(reader.header(), {}, FrameSystem::Detail::forces);
+    whole.load(frame);
+    std::optional<NodeOfCell> node;
+    if (!arguments.node.empty()) {
+        const NodeKey key = parse_node(arguments.node);
+        node = {key.cell, key.node};
+    }
+    const StepAnatomy anatomy = inspect::step_of_frame(whole, node);
+    if (arguments.common.json) {
+        nlohmann::json document = head_json(reader);
+        add_frame(document, *frame);
+        document["method"] = whole.scene().method.name;
+        document["step"] = step_json(anatomy);
+        print_json(document);
+        return;
+    }
+    fmt::print("{}: a step of {} from here, with the wall at rest\n{}", frame_text(reader, *frame),
+               whole.scene().method.name, step_text(anatomy));
+}
+
 /// All contacts of one frame, or one node without a contact.
 void show_frame(const InspectArguments& arguments, const RunFileReader& reader,
                 const SnapshotPtr& frame) {
@@ -223,6 +252,10 @@ ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invoc
                      reader.path(), reader.outcome().empty() ? "not ended" : reader.outcome(),
                      reader.n_frames());
     const bool is_whole_run = arguments.history || arguments.events;
+    if (arguments.step) {
+        show_step(arguments, reader, reader.frame(frame));
+        return ExitCode::ok;
+    }
     if (!key) {
         show_frame(arguments, reader, reader.frame(frame));
         return ExitCode::ok;
@@ -260,6 +293,9 @@ Verb inspect_verb(const inspect::DrawContact& draw_contact) {
                 command.option("--node", arguments->node,
                                "every force on one node, term by term, with the residual",
                                {"CELL:NODE"});
+                command.flag("--step", arguments->step,
+                             "the step that would begin with this frame: the forces before and "
+                             "after each term, the residual of each solve");
                 command.flag("--history", arguments->history,
                              "the contact's numbers in all frames");
                 command.flag("--events", arguments->events,

@@ -14,7 +14,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace spheroscope {
 namespace {
@@ -234,6 +233,17 @@ Engine::Next Engine::anneal(const scene::Stage& stage) {
     return Next::go_on;
 }
 
+bool Engine::checks_by_steps_in(const scene::Stage& stage) const {
+    // A check in between must not shorten the steps of a method that only looks for the end.
+    return stage.every_s == 0.0 && !chosen_method(scene_).moves_in_time();
+}
+
+double Engine::next_output_s(const scene::Stage& stage) const {
+    if (checks_by_steps_in(stage)) return std::numeric_limits<double>::infinity();
+    const double interval_s = stage.every_s > 0.0 ? stage.every_s : k_check_every_s;
+    return run_.memory.start_s + interval_s * static_cast<double>(run_.outputs_in_stage + 1);
+}
+
 // By value: changes make the scene anew.
 Engine::Next Engine::advance(const scene::Stage parameters) {
     const std::unique_ptr<Stage> stage = make_stage(parameters);
@@ -248,18 +258,12 @@ Engine::Next Engine::advance(const scene::Stage parameters) {
             publish(measure(), 0.0) == Next::stop)  // the start itself is a frame
             return Next::stop;
     }
-    // A check in between must not shorten the steps of a method that only looks for the end.
-    const bool checks_by_steps =
-        parameters.every_s == 0.0 && !chosen_method(scene_).moves_in_time();
-    const double interval_s = parameters.every_s > 0.0 ? parameters.every_s
-                              : checks_by_steps        ? std::numeric_limits<double>::infinity()
-                                                       : k_check_every_s;
+    const bool checks_by_steps = checks_by_steps_in(parameters);
     StageEnd end = StageEnd::none;
     while (end == StageEnd::none) {
         apply_changes();  // may make another system
         StageContext context{*system_, run_.state, run_.memory};
-        const double output_s =
-            run_.memory.start_s + interval_s * static_cast<double>(run_.outputs_in_stage + 1);
+        const double output_s = next_output_s(parameters);
         const double limit_s = std::min(output_s, stage->latest_end_s(context));
         const StepOutcome step =
             method_->advance(*system_, run_.state, limit_s, run_.state.wall.acts());
@@ -302,8 +306,13 @@ Engine::Next Engine::advance(const scene::Stage parameters) {
                     return stop_unstable(step.dt_s, *trouble);
         }
         if (end == StageEnd::none) {
-            show_look(stage->progress(context));
-            if (between_steps(stage->progress(context)) == Next::stop) return Next::stop;
+            const double progress = stage->progress(context);
+            show_look(progress);
+            const std::function<double()> next_limit_s = [&] {
+                StageContext now{*system_, run_.state, run_.memory};
+                return std::min(next_output_s(parameters), stage->latest_end_s(now));
+            };
+            if (between_steps(progress, next_limit_s) == Next::stop) return Next::stop;
         }
     }
     StageContext context{*system_, run_.state, run_.memory};
@@ -397,7 +406,8 @@ Totals Engine::measure() {
     compute_cell_measures(at);
     Totals totals = compute_totals(measure_input(at));
     if (!cell_stress_kPa_.empty()) {
-        const std::vector<double> inside = hydrostatic_stress_from_inside(at, system_->force_nN());
+        const std::vector<double> inside =
+            hydrostatic_stress_from_inside(at, cell_stress_kPa_, system_->force_nN());
         double difference2 = 0.0, size2 = 0.0;
         for (std::size_t cell = 0; cell < inside.size(); ++cell) {
             const double sigma_h = cell_stress_kPa_[cell].trace() / 3.0;
@@ -428,8 +438,9 @@ Totals Engine::measure() {
 
 std::shared_ptr<Snapshot> Engine::snapshot_of(const Totals& totals, double progress) {
     const Configuration at = system_->configuration();
-    auto snapshot = std::make_shared<Snapshot>(
-        make_snapshot(header_, measure_input(at), run_.diagnostics, totals, system_->counters()));
+    auto snapshot =
+        std::make_shared<Snapshot>(make_snapshot(header_, measure_input(at), run_.diagnostics,
+                                                 totals, system_->counters(), system_->workers()));
     if (to_frames_) prolong(*snapshot, *to_frames_);
     snapshot->frame = -1;
     snapshot->time_s = run_.state.time_s;
@@ -438,45 +449,6 @@ std::shared_ptr<Snapshot> Engine::snapshot_of(const Totals& totals, double progr
     snapshot->stage_progress = progress;
     snapshot->load = run_.state.load;
     return snapshot;
-}
-
-void Engine::show_look(double progress) {
-    if (sinks_->live == nullptr || !sinks_->live->wants_look()) return;
-    // A measurement begins a new interval of the power balance; a look is none.
-    const auto before = std::tuple(run_.has_energy, run_.energy_fJ, run_.dissipated_fJ,
-                                   run_.driven_fJ, run_.diagnostics);
-    const Totals totals = measure();
-    sinks_->live->look(snapshot_of(totals, progress));
-    std::tie(run_.has_energy, run_.energy_fJ, run_.dissipated_fJ, run_.driven_fJ,
-             run_.diagnostics) = before;
-}
-
-void Engine::apply_changes() {
-    bool has_changed = false;
-    const auto apply = [&](const Change& change) {
-        apply_change(scene_, change);
-        if (find_changeable(change.key)->of == ChangeableRow::Of::engine) has_changed = true;
-    };
-    while (n_changes_applied_ < options_.changes.size() &&
-           options_.changes[n_changes_applied_].time_s <= run_.state.time_s)
-        apply(options_.changes[n_changes_applied_++]);
-    if (sinks_->live != nullptr)
-        for (Change& change : sinks_->live->take_changes()) {
-            change.time_s = run_.state.time_s;
-            try {
-                apply(change);
-            } catch (const Error& error) {
-                sinks_->live->refused(change, error.what());
-                continue;
-            }
-            if (sinks_->changed) sinks_->changed(change);
-            sinks_->live->changed(change);
-        }
-    if (!has_changed) return;
-    // The state is untouched: only what acts on it is made anew.
-    use_mesh(system_->model().n_nodes());
-    method_ = chosen_method(scene_).make(method_parameters(scene_));
-    run_.state.fastest_rate_per_s = 0.0;  // explicit methods find their bound anew
 }
 
 Engine::Next Engine::publish(const Totals& totals, double progress) {
@@ -493,7 +465,7 @@ Engine::Next Engine::publish(const Totals& totals, double progress) {
     return Next::go_on;
 }
 
-Engine::Next Engine::between_steps(double progress) {
+Engine::Next Engine::between_steps(double progress, const std::function<double()>& next_limit_s) {
     if (sinks_->progress)
         sinks_->progress({run_.state.time_s, run_.diagnostics.dt_s, run_.stage,
                           static_cast<int>(scene_.stages.size()),
@@ -502,7 +474,7 @@ Engine::Next Engine::between_steps(double progress) {
     const double now_s = wall_clock_s();
     const bool limit_met =
         options_.wall_limit_s > 0.0 && now_s - started_wall_s_ >= options_.wall_limit_s;
-    const bool goes_on = sinks_->live == nullptr || sinks_->live->go_on(*stop_);
+    const bool goes_on = watcher_goes_on(next_limit_s);
     const bool is_stopped = !goes_on || stop_->load();
     if (is_stopped || limit_met) {
         write_checkpoint();

@@ -104,8 +104,16 @@ class Engine {
     void show_look(double progress);
     /// Changes that are due before the next step: those of the options, then those of the watcher.
     void apply_changes();
+    /// Whether a stage without outputs of its own is looked at after so many steps, not seconds.
+    [[nodiscard]] bool checks_by_steps_in(const scene::Stage& stage) const;
+    /// Time of the next output or check, beyond which no step goes.
+    [[nodiscard]] double next_output_s(const scene::Stage& stage) const;
     /// Reports progress, writes a checkpoint when one is due, obeys stop and the time limit.
-    [[nodiscard]] Next between_steps(double progress);
+    /// next_limit_s says how far the next step may go; empty while beads are packed.
+    [[nodiscard]] Next between_steps(double progress,
+                                     const std::function<double()>& next_limit_s = {});
+    /// Waits in a pause, and answers questions; false: the run is to stop.
+    [[nodiscard]] bool watcher_goes_on(const std::function<double()>& next_limit_s);
     /// Ends the run with its reason.
     [[nodiscard]] Next stop_unstable(double dt_s, const Trouble& trouble);
     void finish_stage(StageEnd end);

@@ -2,9 +2,12 @@
 
 #include "engine/run/changes.hpp"
 #include "engine/run/snapshot.hpp"
+#include "engine/solve/step_anatomy.hpp"
 
 #include <atomic>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace spheroscope {
@@ -20,9 +23,18 @@ class LiveControl {
     virtual void begin(std::shared_ptr<const RunHeader> header) = 0;
     /// A frame that was handed to the store as well.
     virtual void frame(SnapshotPtr frame) = 0;
-    /// Between two steps; may wait, which is a pause, until it is over or `stop` becomes true.
-    /// False: the run is to stop, with a checkpoint.
+    /// Between two steps; may wait, which is a pause, until it is over, a question is there, or
+    /// `stop` becomes true. False: the run is to stop, with a checkpoint.
     [[nodiscard]] virtual bool go_on(const std::atomic<bool>& stop) = 0;
+    /// Asked after go_on(): whether the next step is to be taken apart before it is made. The
+    /// answer goes to anatomy(), or the reason why there is none to refused_question(); then
+    /// go_on() is asked again.
+    struct Question {
+        std::optional<NodeOfCell> node;  ///< the forces on it are wanted, too
+    };
+    [[nodiscard]] virtual std::optional<Question> take_question() = 0;
+    virtual void anatomy(std::shared_ptr<const StepAnatomy> answer) = 0;
+    virtual void refused_question(const std::string& reason) = 0;
     /// Whether a look at the state as it is now is welcome.
     [[nodiscard]] virtual bool wants_look() = 0;
     /// A snapshot that is no frame: its number is -1.

@@ -56,7 +56,8 @@ class ConjugateGradients::Solve {
             residual_in_single();
         else
             residual_in_double();
-        const double bb = total(arrays_.sum_bb_);
+        const double bb = bb_ = total(arrays_.sum_bb_);
+        record();
         const double enough = tolerance * tolerance * bb;
         // A residual that is not a number fails all tests and leaves as 'not converged'.
         while (rr_ > enough && outcome.iterations < largest_iterations) {
@@ -194,11 +195,18 @@ class ConjugateGradients::Solve {
             }
             member_.wait();
             rr_ = total(arrays_.sum_rr_);
+            record();
             const double next_rz = total(arrays_.sum_rz_);
             beta = static_cast<float>(next_rz / rz_);
             rz_ = next_rz;
         }
         return iteration;
+    }
+
+    /// What has been reached, for those who want to know.
+    void record() const {
+        if (arrays_.residuals_ != nullptr && member_.index() == 0)
+            arrays_.residuals_->push_back(bb_ > 0.0 ? std::sqrt(rr_ / bb_) : 0.0);
     }
 
     void add_correction() {
@@ -217,7 +225,7 @@ class ConjugateGradients::Solve {
     std::span<Vec3> x_;
     Workers::Member& member_;
     Workers::Member::Range cells_, groups_;
-    double rr_ = 0.0, rz_ = 0.0;  // |r|^2 and r.z, the same for all members
+    double bb_ = 0.0, rr_ = 0.0, rz_ = 0.0;  // |b|^2, |r|^2 and r.z, the same for all members
 };
 
 SolveOutcome ConjugateGradients::solve(const VelocitySystem& system,
@@ -230,6 +238,7 @@ SolveOutcome ConjugateGradients::solve(const VelocitySystem& system,
         v->resize(b.size());
     for (std::vector<double>* s : {&sum_bb_, &sum_rr_, &sum_rz_, &sum_pq_})
         s->assign(system.model.radius_um.size(), 0.0);
+    if (residuals_ != nullptr) residuals_->clear();
     SolveOutcome outcome;
     workers.region([&](Workers::Member& member) {
         const SolveOutcome own =

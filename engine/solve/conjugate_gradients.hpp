@@ -27,12 +27,16 @@ class ConjugateGradients {
                                      const Preconditioner& preconditioner, std::span<const Vec3> b,
                                      std::span<Vec3> x, double tolerance, int largest_iterations,
                                      Workers& workers);
+    /// From now on every solve also writes |r| / |b| of its iterations here, replacing what stands
+    /// there; nullptr: no longer.
+    void record_residuals(std::vector<double>* residuals) { residuals_ = residuals; }
 
   private:
     class Solve;
     std::vector<Vec3> exact_product_;  // [all nodes]
     std::vector<Lanes> correction_, residual_, direction_, product_, preconditioned_;  // likewise
     std::vector<double> sum_bb_, sum_rr_, sum_rz_, sum_pq_;                            // [cells]
+    std::vector<double>* residuals_ = nullptr;
 };
 
 }  // namespace spheroscope

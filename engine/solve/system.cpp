@@ -65,8 +65,10 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
     // Measures look at a configuration just before a method starts from it; comparing costs a
     // thousandth of evaluating.
     if (now_.is_valid && wall_radius_um == now_.wall_radius_um && load == now_.load &&
-        same_bits(now_.x_um, x_um) && same_bits(now_.volume_integral_s, volume_integral_s))
+        same_bits(now_.x_um, x_um) && same_bits(now_.volume_integral_s, volume_integral_s)) {
+        if (witness_ != nullptr) witness_->evaluated(*this);
         return {};
+    }
     if (now_.force_nN.empty()) allocate(now_);  // the first time that another one lies aside
     now_.is_valid = false;
     now_.x_um.assign(x_um.begin(), x_um.end());
@@ -99,6 +101,7 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
     if (std::find(cell_is_finite_.begin(), cell_is_finite_.end(), 0) != cell_is_finite_.end())
         return find_trouble();
     now_.is_valid = true;
+    if (witness_ != nullptr) witness_->evaluated(*this);
     return {};
 }
 
@@ -217,6 +220,7 @@ SolveOutcome System::solve_friction(std::span<const Vec3> b, std::span<Vec3> v, 
         if (const auto* cortex = dynamic_cast<CortexInverse<Vec3>*>(friction_inverse_.get()))
             work_.factorisations = cortex->factorisations();
         if (shape == FrictionShape::fixed) ++work_.direct_solves;
+        if (witness_ != nullptr) witness_->solved({0.0, {}, true});
         return {true, 0, 0.0};
     }
     if (!friction_preconditioner_) {
@@ -228,24 +232,30 @@ SolveOutcome System::solve_friction(std::span<const Vec3> b, std::span<Vec3> v, 
     friction_preconditioner_->prepare(system, workers_);
     if (const auto* cortex = dynamic_cast<CortexInverse<Lanes>*>(friction_preconditioner_.get()))
         work_.factorisations = cortex->factorisations();
-    if (!conjugate_gradients_) conjugate_gradients_ = std::make_unique<ConjugateGradients>();
-    const SolveOutcome outcome = conjugate_gradients_->solve(
-        system, *friction_preconditioner_, b, v, tolerance, k_largest_iterations, workers_);
-    ++work_.linear_solves;
-    work_.linear_iterations += outcome.iterations;
-    return outcome;
+    return iterate(system, *friction_preconditioner_, 0.0, b, v, tolerance);
 }
 
 SolveOutcome System::solve_implicit(double dt_s, std::span<const double> volume_coefficient,
                                     std::span<const Vec3> b, std::span<Vec3> v, double tolerance) {
     const VelocitySystem system = velocity_system(dt_s, volume_coefficient);
     if (!implicit_preconditioner_) implicit_preconditioner_ = std::make_unique<BlockJacobi>();
-    if (!conjugate_gradients_) conjugate_gradients_ = std::make_unique<ConjugateGradients>();
     implicit_preconditioner_->prepare(system, workers_);
+    return iterate(system, *implicit_preconditioner_, dt_s, b, v, tolerance);
+}
+
+SolveOutcome System::iterate(const VelocitySystem& system, const Preconditioner& preconditioner,
+                             double dt_s, std::span<const Vec3> b, std::span<Vec3> v,
+                             double tolerance) {
+    if (!conjugate_gradients_) conjugate_gradients_ = std::make_unique<ConjugateGradients>();
+    SolveHistory history{dt_s, {}, false};
+    conjugate_gradients_->record_residuals(witness_ != nullptr ? &history.residual : nullptr);
     const SolveOutcome outcome = conjugate_gradients_->solve(
-        system, *implicit_preconditioner_, b, v, tolerance, k_largest_iterations, workers_);
+        system, preconditioner, b, v, tolerance, k_largest_iterations, workers_);
+    conjugate_gradients_->record_residuals(nullptr);
     ++work_.linear_solves;
     work_.linear_iterations += outcome.iterations;
+    history.converged = outcome.converged;
+    if (witness_ != nullptr) witness_->solved(history);
     return outcome;
 }
 

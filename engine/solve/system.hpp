@@ -9,6 +9,7 @@
 #include "engine/model/state.hpp"
 #include "engine/solve/conjugate_gradients.hpp"
 #include "engine/solve/friction_matrix.hpp"
+#include "engine/solve/step_witness.hpp"
 #include "engine/solve/work.hpp"
 
 #include <memory>
@@ -96,6 +97,9 @@ class System {
                                               std::span<const Vec3> b, std::span<Vec3> v,
                                               double tolerance);
 
+    /// Somebody who is told of every evaluation and every solve; nullptr: nobody.
+    void set_witness(StepWitness* witness) { witness_ = witness; }
+
     [[nodiscard]] const Model& model() const { return model_; }
     [[nodiscard]] const SystemParts& parts() const { return parts_; }
     [[nodiscard]] Workers& workers() { return workers_; }
@@ -125,6 +129,11 @@ class System {
     [[nodiscard]] std::optional<Trouble> find_trouble();
     void assemble(double dt_s);
     void assemble_friction();
+    /// Conjugate gradients, with a report to the witness.
+    [[nodiscard]] SolveOutcome iterate(const VelocitySystem& system,
+                                       const Preconditioner& preconditioner, double dt_s,
+                                       std::span<const Vec3> b, std::span<Vec3> v,
+                                       double tolerance);
 
     Model model_;
     SystemParts parts_;
@@ -144,6 +153,7 @@ class System {
     std::unique_ptr<Preconditioner> friction_preconditioner_;
     std::unique_ptr<BlockJacobi> implicit_preconditioner_;
     Work work_;
+    StepWitness* witness_ = nullptr;
 };
 
 }  // namespace spheroscope

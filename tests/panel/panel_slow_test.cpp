@@ -195,6 +195,24 @@ TEST_F(Panel, APauseOfTheEngineIsOneAndEachStepIsSingle) {
     EXPECT_EQ(call({"run", "scene.toml", "-o", "out", "--resume", "--quiet"}).code, 0);
 }
 
+TEST_F(Panel, TakesTheNextStepApartWithoutMakingIt) {
+    const Outcome outcome = show_live("xdotool key i; until_log 'seeding moves beads'\n"
+                                      "xdotool key n; until_log 'stage 1, compact, begins'\n"
+                                      "until_log 'paused at'; settle\n"
+                                      "xdotool key i; until_log 'took the step'; settle\n"
+                                      "xdotool key period; settle 1\n"
+                                      "xdotool key ctrl+q");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::smatch paused, taken;
+    ASSERT_TRUE(std::regex_search(outcome.err, paused,
+                                  std::regex("paused at t = ([^ ]*) s, step ([0-9]+)")));
+    ASSERT_TRUE(std::regex_search(
+        outcome.err, taken, std::regex("took the step at t = ([^ ]*) s apart, ([0-9]+) phases")));
+    EXPECT_EQ(taken[1], paused[1]) << outcome.err;
+    EXPECT_GE(std::stoi(taken[2]), 2);  // forces, and a solve
+    EXPECT_EQ(document(outcome)["run"]["work"]["steps"], std::stoi(paused[2]) + 1);
+}
+
 TEST_F(Panel, WhatIsChangedInALiveRunIsRepeatedToTheBitWithoutADisplay) {
     const Outcome outcome =
         show_live("xdotool key n; until_log 'stage 1, compact, begins'; settle\n"

@@ -58,6 +58,15 @@ class Watcher final : public LiveControl {
         ++n_frames;
     }
     bool go_on(const std::atomic<bool>&) override { return n_looks < stop_after; }
+    std::optional<Question> take_question() override {
+        if (!asks || has_asked_) return has_asked_ = false, std::nullopt;
+        has_asked_ = true;
+        return Question{NodeOfCell{1, 7}};
+    }
+    void anatomy(std::shared_ptr<const StepAnatomy> answer) override {
+        answers.push_back(std::move(answer));
+    }
+    void refused_question(const std::string& reason) override { reasons.push_back(reason); }
     bool wants_look() override { return true; }
     void look(SnapshotPtr now) override {
         EXPECT_EQ(now->frame, -1);
@@ -79,8 +88,11 @@ class Watcher final : public LiveControl {
     std::vector<Change> made;
     std::vector<std::string> reasons;
     int n_frames = 0, n_looks = 0, stop_after = 1 << 30;
+    bool asks = false;  // before every step what it will go through
+    std::vector<std::shared_ptr<const StepAnatomy>> answers;
 
   private:
+    bool has_asked_ = false;
     std::vector<Change> orders_;
     double time_s_ = 0.0;
 };
@@ -113,6 +125,29 @@ TEST(AWatchedRun, HasTheBitsOfOneThatNobodyWatches) {
     const Ended alone = run({});
     EXPECT_EQ(watched.result.state_hash, alone.result.state_hash);
     EXPECT_EQ(watched.result.totals.power_residual, alone.result.totals.power_residual);
+}
+
+TEST(AWatchedRun, HasTheSameBitsWhenEveryStepIsTakenApartFirst) {
+    Watcher watcher({});
+    watcher.asks = true;
+    const Ended watched = run({}, &watcher);
+    EXPECT_EQ(watched.result.state_hash, run({}).result.state_hash);
+    EXPECT_TRUE(watcher.reasons.empty());
+    ASSERT_GT(watcher.answers.size(), 10U);
+    std::size_t n_foretold = 0;
+    for (std::size_t k = 0; k < watcher.answers.size(); ++k) {
+        const StepAnatomy& answer = *watcher.answers[k];
+        EXPECT_TRUE(answer.outcome.accepted);
+        ASSERT_TRUE(answer.node.has_value());
+        EXPECT_EQ(answer.node->cell, 1);
+        if (k == 0) continue;
+        // It begins where the step that the one before has foretold ended.
+        const StepAnatomy& before = *watcher.answers[k - 1];
+        n_foretold +=
+            std::abs(before.time_s + before.outcome.dt_s - answer.time_s) < 1e-9 ? 1U : 0U;
+    }
+    // The first step of each of the two stages is made without a pause before it.
+    EXPECT_GE(n_foretold + 2, watcher.answers.size() - 1);
 }
 
 TEST(AChangedRun, IsRepeatedToTheBitByItsRecord) {

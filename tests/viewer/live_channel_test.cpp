@@ -18,6 +18,13 @@ class CountingEngine {
               channel_.begin(snapshot->header);
               const std::atomic<bool> no_signal{false};
               while (channel_.go_on(no_signal)) {
+                  if (const auto question = channel_.take_question()) {
+                      auto answer = std::make_shared<StepAnatomy>();
+                      answer->node = question->node;
+                      answer->time_s = n_steps;
+                      channel_.anatomy(answer);
+                      continue;
+                  }
                   for (const Change& change : channel_.take_changes()) channel_.changed(change);
                   ++n_steps;
                   if (channel_.wants_look()) channel_.look(snapshot);
@@ -66,6 +73,30 @@ TEST(APause, ReallyStopsTheEngineAndStepsAreSingle) {
     }
     channel.play();
     EXPECT_TRUE(comes_true([&] { return engine.n_steps > paused_at + 20; }));
+}
+
+TEST(AQuestionAboutTheNextStep, IsAnsweredInAPauseWithoutMakingTheStep) {
+    LiveChannel channel([] {});
+    CountingEngine engine(channel);
+    std::shared_ptr<const StepAnatomy> answer;
+    const auto comes = [&] {
+        if (auto news = channel.take_anatomy()) answer = std::move(news);
+        return answer != nullptr;
+    };
+    channel.look_into_step(NodeOfCell{1, 5});  // the engine was running
+    ASSERT_TRUE(comes_true(comes));
+    EXPECT_TRUE(channel.is_paused());
+    const int paused_at = steps_at_rest(engine);
+    EXPECT_EQ(answer->time_s, paused_at);
+    ASSERT_TRUE(answer->node.has_value());
+    EXPECT_EQ(answer->node->node, 5);
+    EXPECT_EQ(channel.take_anatomy(), nullptr);  // once
+    answer.reset();
+    channel.look_into_step({});
+    EXPECT_TRUE(comes_true(comes));
+    EXPECT_EQ(steps_at_rest(engine), paused_at);
+    channel.step();
+    EXPECT_TRUE(comes_true([&] { return engine.n_steps == paused_at + 1; }));
 }
 
 TEST(APause, EndsWhenThePanelIsClosed) {

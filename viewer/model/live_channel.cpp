@@ -44,6 +44,14 @@ void LiveChannel::run_until_event(const Watched& watched) {
     woken_.notify_all();
 }
 
+void LiveChannel::look_into_step(std::optional<NodeOfCell> node) {
+    const std::lock_guard lock(mutex_);
+    is_paused_ = true;
+    seeks_event_ = false;
+    question_ = Question{node};
+    woken_.notify_all();
+}
+
 void LiveChannel::stop() {
     const std::lock_guard lock(mutex_);
     is_stopped_ = true;
@@ -74,6 +82,11 @@ std::vector<SnapshotPtr> LiveChannel::take_frames() {
 SnapshotPtr LiveChannel::take_look() {
     const std::lock_guard lock(mutex_);
     return std::exchange(look_, nullptr);
+}
+
+std::shared_ptr<const StepAnatomy> LiveChannel::take_anatomy() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(anatomy_, nullptr);
 }
 
 std::vector<Change> LiveChannel::changes() {
@@ -108,12 +121,34 @@ void LiveChannel::frame(SnapshotPtr frame) {
 bool LiveChannel::go_on(const std::atomic<bool>& stop) {
     std::unique_lock lock(mutex_);
     const auto waits = [&] {
-        return is_paused_ && steps_left_ == 0 && !is_stopped_ && !stop.load();
+        return is_paused_ && steps_left_ == 0 && !question_ && !is_stopped_ && !stop.load();
     };
     if (waits()) pace_.interrupt();
     while (waits()) woken_.wait_for(lock, k_signal_latency);
-    if (is_paused_ && steps_left_ > 0) --steps_left_;
+    // A question is answered before the next step is made.
+    if (!question_ && is_paused_ && steps_left_ > 0) --steps_left_;
     return !is_stopped_;
+}
+
+std::optional<LiveControl::Question> LiveChannel::take_question() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(question_, std::nullopt);
+}
+
+void LiveChannel::anatomy(std::shared_ptr<const StepAnatomy> answer) {
+    {
+        const std::lock_guard lock(mutex_);
+        anatomy_ = std::move(answer);
+    }
+    on_news_();
+}
+
+void LiveChannel::refused_question(const std::string& reason) {
+    {
+        const std::lock_guard lock(mutex_);
+        message_ = reason;
+    }
+    on_news_();
 }
 
 bool LiveChannel::wants_look() {
@@ -163,11 +198,7 @@ void LiveChannel::changed(const Change& change) {
 
 void LiveChannel::refused(const Change& change, const std::string& reason) {
     static_cast<void>(change);
-    {
-        const std::lock_guard lock(mutex_);
-        message_ = reason;
-    }
-    on_news_();
+    refused_question(reason);
 }
 
 }  // namespace spheroscope::viewer

@@ -31,12 +31,16 @@ class LiveChannel final : public LiveControl {
     void stop();
     /// Replaces an order of the same key that the engine has not taken yet.
     void order(Change change);
+    /// A pause, in which the engine says what its next step would go through (take_anatomy).
+    void look_into_step(std::optional<NodeOfCell> node);
     [[nodiscard]] bool is_paused();
     /// What the engine is about: nullptr before it has begun.
     [[nodiscard]] std::shared_ptr<const RunHeader> header();
     [[nodiscard]] std::vector<SnapshotPtr> take_frames();
     /// The newest look, once.
     [[nodiscard]] SnapshotPtr take_look();
+    /// The answer to look_into_step, once; nullptr: none yet.
+    [[nodiscard]] std::shared_ptr<const StepAnatomy> take_anatomy();
     [[nodiscard]] std::vector<Change> changes();
     /// Why the last order was refused, or which event has brought a pause, once; else "".
     [[nodiscard]] std::string take_message();
@@ -46,6 +50,9 @@ class LiveChannel final : public LiveControl {
     void begin(std::shared_ptr<const RunHeader> header) override;
     void frame(SnapshotPtr frame) override;
     [[nodiscard]] bool go_on(const std::atomic<bool>& stop) override;
+    [[nodiscard]] std::optional<Question> take_question() override;
+    void anatomy(std::shared_ptr<const StepAnatomy> answer) override;
+    void refused_question(const std::string& reason) override;
     [[nodiscard]] bool wants_look() override;
     void look(SnapshotPtr now) override;
     [[nodiscard]] std::vector<Change> take_changes() override;
@@ -69,6 +76,8 @@ class LiveChannel final : public LiveControl {
     SnapshotPtr look_, seen_;
     std::chrono::steady_clock::time_point looked_at_{};
     bool look_is_due_ = false;  // after a step in a pause, whatever the panel has taken
+    std::optional<Question> question_;
+    std::shared_ptr<const StepAnatomy> anatomy_;
     std::vector<Change> ordered_, changes_;
     std::string message_;
     Pace pace_;

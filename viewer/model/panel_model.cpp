@@ -11,10 +11,11 @@ namespace spheroscope::viewer {
 
 std::span<const KeyRow> all_keys() {
     using enum Action;
-    static constexpr std::array<KeyRow, 19> rows{{
+    static constexpr std::array<KeyRow, 20> rows{{
         {Key::space, false, false, toggle_playing, "Space", "play, pause"},
         {Key::period, false, false, single_step, ".", "one step of a running engine"},
         {Key::n, false, false, until_event, "N", "on to the next event, as above"},
+        {Key::i, false, false, look_into_step, "I", "look into the next step, term by term"},
         {Key::left, false, false, back, "←", "one frame back"},
         {Key::right, false, false, forward, "→", "one frame on"},
         {Key::left, true, false, back_10, "Shift ←", "ten frames back"},

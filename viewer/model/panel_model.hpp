@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/solve/step_anatomy.hpp"
 #include "viewer/model/bookmarks.hpp"
 #include "viewer/model/history.hpp"
 #include "viewer/model/pick.hpp"
@@ -8,6 +9,7 @@
 #include "viewer/model/view.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +23,7 @@ enum class Action {
     toggle_playing,
     single_step,
     until_event,
+    look_into_step,
     back,
     forward,
     back_10,
@@ -38,7 +41,7 @@ enum class Action {
 };
 
 /// Keys by name; the window knows their numbers.
-enum class Key { space, left, right, home, end, period, b, c, n, p, q, t, y, z };
+enum class Key { space, left, right, home, end, period, b, c, n, i, p, q, t, y, z };
 
 /// A row of the table of keys; the window, the help and the tests loop over it.
 struct KeyRow {
@@ -70,6 +73,10 @@ class PanelModel {
         int looks_back = 0;  ///< which of them is on show while the end is followed; 0: the newest
         std::string dragged_key;  ///< the parameter whose slider is held
         float dragged_value = 0;  ///< where it is held
+        /// The step that was taken apart last, and which of its moments is on show.
+        std::shared_ptr<const StepAnatomy> anatomy;
+        int moment = 0;
+        bool anatomy_is_new = false;  ///< nobody has seen it yet
     };
     std::optional<Live> live;
     /// Shows the newest state, and stays with it.

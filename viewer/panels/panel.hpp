@@ -42,12 +42,22 @@ struct PanelRow {
     bool opened;        ///< at the start; panels on the right can be folded
     bool needs_engine;  ///< shown only with a running engine behind the frames
     void (*draw)(PanelContext&);
+    /// Whether it has something new to show, for which it is unfolded; empty: never.
+    bool (*has_news)(const PanelModel&) = nullptr;
+    [[nodiscard]] bool opens_for(const PanelModel& model) const {
+        return has_news != nullptr && has_news(model);
+    }
 };
 [[nodiscard]] std::span<const PanelRow> all_panels();
+
+/// What, value and unit in three columns; a row without a value is a heading.
+void draw_table(const std::vector<TableRow>& rows, float first_px = 150.0F);
 
 // One file each.
 void draw_picture(PanelContext& panel, float width, float height);
 void draw_live(PanelContext& panel);
+void draw_step(PanelContext& panel);
+[[nodiscard]] bool step_is_new(const PanelModel& model);
 void draw_view(PanelContext& panel);
 void draw_selection(PanelContext& panel);
 void draw_bookmarks(PanelContext& panel);

@@ -5,8 +5,9 @@
 namespace spheroscope::viewer {
 
 std::span<const PanelRow> all_panels() {
-    static constexpr std::array<PanelRow, 8> rows{{
+    static constexpr std::array<PanelRow, 9> rows{{
         {"Engine", Side::right, true, true, draw_live},
+        {"Inside a step", Side::right, false, true, draw_step, step_is_new},
         {"View", Side::right, true, false, draw_view},
         {"Selection", Side::right, true, false, draw_selection},
         {"Bookmarks", Side::right, false, false, draw_bookmarks},

@@ -4,6 +4,28 @@
 
 namespace spheroscope::viewer {
 
+void draw_table(const std::vector<TableRow>& rows, float first_px) {
+    if (!ImGui::BeginTable("table", 3, ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, first_px);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, 44.0F);
+    for (const TableRow& row : rows) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        if (row.value.empty()) {
+            ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, IM_COL32(228, 232, 240, 255));
+            ImGui::TextUnformatted(row.what.c_str());
+            continue;
+        }
+        ImGui::TextUnformatted(row.what.c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(row.value.c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(row.unit.c_str());
+    }
+    ImGui::EndTable();
+}
+
 void draw_selection(PanelContext& panel) {
     if (!panel.model.selection || panel.snapshot == nullptr) {
         ImGui::TextDisabled("a click on the picture picks a node, its triangle,\n"
@@ -11,26 +33,7 @@ void draw_selection(PanelContext& panel) {
         return;
     }
     const std::vector<TableRow> rows = describe(*panel.snapshot, *panel.model.selection);
-    if (ImGui::BeginTable("table", 3, ImGuiTableFlags_SizingFixedFit)) {
-        ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 150.0F);
-        ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-        ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, 44.0F);
-        for (const TableRow& row : rows) {
-            ImGui::TableNextRow();
-            ImGui::TableNextColumn();
-            if (row.value.empty()) {
-                ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, IM_COL32(228, 232, 240, 255));
-                ImGui::TextUnformatted(row.what.c_str());
-                continue;
-            }
-            ImGui::TextUnformatted(row.what.c_str());
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(row.value.c_str());
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(row.unit.c_str());
-        }
-        ImGui::EndTable();
-    }
+    draw_table(rows);
     if (ImGui::Button("copy as CSV")) panel.act(Action::copy_table);
     ImGui::SameLine();
     if (ImGui::Button("forget")) panel.model.selection.reset();

@@ -1,0 +1,122 @@
+#include "engine/cli/step_output.hpp"
+
+#include "engine/cli/report_output.hpp"
+#include "engine/reports/report_table.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace spheroscope::cli {
+namespace {
+
+using reports::ReportTable;
+
+std::string place(const NodeOfCell& at) { return fmt::format("{}:{}", at.cell, at.node); }
+
+nlohmann::json json_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+std::string vector_text(const Vec3& v) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z());
+}
+
+std::string text_of(const StepAnatomy& anatomy, const StepAnatomy::Evaluation& evaluation) {
+    ReportTable table{
+        {{"term"}, {"before_nN"}, {"term_nN"}, {"after_nN"}, {"largest_nN"}, {"on_node"}}, {}};
+    for (const StepAnatomy::Term& term : evaluation.terms)
+        table.rows.push_back({term.name, term.before_nN, term.rms_nN, term.after_nN,
+                              term.largest_nN, place(term.at)});
+    std::string text = fmt::format(
+        "\nforces (RMS over nodes: sum before each term, the term, sum after it), {} pairs of "
+        "triangles in contact, nodes moved by up to {:.3g} um:\n{}",
+        evaluation.contact_pairs, evaluation.moved_um, table.aligned_text());
+    if (!anatomy.node) return text;
+    ReportTable of_node{{{"term"}, {"x_nN"}, {"y_nN"}, {"z_nN"}, {"sum_after_nN"}}, {}};
+    for (const StepAnatomy::Term& term : evaluation.terms)
+        of_node.rows.push_back({term.name, term.on_node_nN.x(), term.on_node_nN.y(),
+                                term.on_node_nN.z(),
+                                (term.on_node_before_nN + term.on_node_nN).norm()});
+    return text + fmt::format("on node {}:\n{}", place(*anatomy.node), of_node.aligned_text());
+}
+
+std::string text_of(const SolveHistory& solve) {
+    if (solve.residual.empty()) return "\nfriction inverted directly\n";
+    std::string text = fmt::format(
+        "\n{} solved in {} iterations{}; |F - A v| / |F|:\n",
+        solve.dt_s > 0.0 ? fmt::format("(Gamma + dt K) v = F with dt = {:.4g} s", solve.dt_s)
+                         : "Gamma v = F",
+        solve.residual.size() - 1, solve.converged ? "" : ", NOT converged");
+    for (std::size_t k = 0; k < solve.residual.size(); ++k)
+        text += fmt::format("{}{:.2e}", k % 8 == 0 ? (k == 0 ? "  " : "\n  ") : "  ",
+                            solve.residual[k]);
+    return text + "\n";
+}
+
+}  // namespace
+
+std::string step_text(const StepAnatomy& anatomy) {
+    std::string text;
+    for (const StepAnatomy::Phase& phase : anatomy.phases)
+        if (const auto* solve = std::get_if<SolveHistory>(&phase))
+            text += text_of(*solve);
+        else
+            text += text_of(anatomy, std::get<StepAnatomy::Evaluation>(phase));
+    const StepOutcome& outcome = anatomy.outcome;
+    text += fmt::format("\n{}: dt = {:.4g} s after {} longer attempt{}, estimated error {:.3g} um, "
+                        "largest motion {:.4g} um (node {})\n",
+                        outcome.accepted ? "the step is good" : "the step fails", outcome.dt_s,
+                        outcome.rejected, outcome.rejected == 1 ? "" : "s", outcome.error_um,
+                        anatomy.largest_moved_um, place(anatomy.largest_moved));
+    if (anatomy.node)
+        text += fmt::format("node {} moves by {} um\n", place(*anatomy.node),
+                            vector_text(anatomy.node_moved_um));
+    if (outcome.trouble) text += outcome.trouble->text() + "\n";
+    return text;
+}
+
+nlohmann::json step_json(const StepAnatomy& anatomy) {
+    nlohmann::json phases = nlohmann::json::array();
+    for (const StepAnatomy::Phase& phase : anatomy.phases) {
+        if (const auto* solve = std::get_if<SolveHistory>(&phase)) {
+            phases.push_back({{"phase", "solve"},
+                              {"dt_s", solve->dt_s},
+                              {"converged", solve->converged},
+                              {"relative_residual", solve->residual}});
+            continue;
+        }
+        const auto& evaluation = std::get<StepAnatomy::Evaluation>(phase);
+        nlohmann::json terms = nlohmann::json::array();
+        for (const StepAnatomy::Term& term : evaluation.terms) {
+            nlohmann::json row{{"term", term.name},
+                               {"before_nN", term.before_nN},
+                               {"term_nN", term.rms_nN},
+                               {"after_nN", term.after_nN},
+                               {"largest_nN", term.largest_nN},
+                               {"largest_on", place(term.at)}};
+            if (anatomy.node) {
+                row["on_node_nN"] = json_of(term.on_node_nN);
+                row["on_node_before_nN"] = json_of(term.on_node_before_nN);
+            }
+            terms.push_back(std::move(row));
+        }
+        phases.push_back({{"phase", "forces"},
+                          {"moved_um", evaluation.moved_um},
+                          {"contact_pairs", evaluation.contact_pairs},
+                          {"terms", std::move(terms)}});
+    }
+    const StepOutcome& outcome = anatomy.outcome;
+    nlohmann::json document{{"phases", std::move(phases)},
+                            {"accepted", outcome.accepted},
+                            {"dt_s", outcome.dt_s},
+                            {"rejected", outcome.rejected},
+                            {"error_um", number_or_null(outcome.error_um)},
+                            {"largest_motion_um", anatomy.largest_moved_um},
+                            {"largest_motion_of", place(anatomy.largest_moved)}};
+    if (anatomy.node) {
+        document["node"] = place(*anatomy.node);
+        document["node_moved_um"] = json_of(anatomy.node_moved_um);
+    }
+    if (outcome.trouble) document["trouble"] = outcome.trouble->text();
+    return document;
+}
+
+}  // namespace spheroscope::cli
