@@ -38,6 +38,7 @@ struct Verb {
 [[nodiscard]] Verb check_verb();
 [[nodiscard]] Verb info_verb();
 [[nodiscard]] Verb precision_verb(const reports::DrawPlot& draw);
+[[nodiscard]] Verb pull_off_verb(const reports::DrawPlot& draw);
 [[nodiscard]] Verb reproduce_verb();
 [[nodiscard]] Verb run_verb();
 [[nodiscard]] Verb scenes_verb();

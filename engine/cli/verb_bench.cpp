@@ -12,12 +12,14 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace spheroscope::cli {
 namespace {
 
 struct BenchArguments {
     bool quick = false;
+    std::optional<int> cells, nodes;  ///< only sizes with these
     int repetitions = 5;
     CommonOptions common;
 };
@@ -131,6 +133,20 @@ reports::ReportTable table_of(const std::vector<reports::BenchRow>& rows) {
     return table;
 }
 
+std::vector<reports::BenchSize> chosen_sizes(const BenchArguments& arguments) {
+    std::vector<reports::BenchSize> sizes = reports::bench_sizes(
+        arguments.quick ? reports::BenchExtent::quick : reports::BenchExtent::full);
+    std::string known;
+    for (const reports::BenchSize& size : sizes)
+        if (size.threads == 1) known += fmt::format(" {} x {}", size.cells, size.nodes);
+    std::erase_if(sizes, [&](const reports::BenchSize& size) {
+        return size.cells != arguments.cells.value_or(size.cells) ||
+               size.nodes != arguments.nodes.value_or(size.nodes);
+    });
+    if (sizes.empty()) throw Error("there is no such size", "sizes are, cells x nodes:" + known);
+    return sizes;
+}
+
 ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
     if (arguments.common.quiet) make_log_quiet();
     const std::string folder = report_folder(arguments.common, "out/bench");
@@ -138,8 +154,7 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
     Progress progress(progress_style(arguments.common.quiet));
     const double limit_s = arguments.common.time_limit_s().value_or(0.0);
     const double begin_s = reports::wall_clock_s();
-    const std::vector<reports::BenchSize> sizes = reports::bench_sizes(
-        arguments.quick ? reports::BenchExtent::quick : reports::BenchExtent::full);
+    const std::vector<reports::BenchSize> sizes = chosen_sizes(arguments);
     std::vector<reports::BenchRow> rows;
     bool is_complete = true;
     for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -180,6 +195,10 @@ Verb bench_verb() {
             [](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<BenchArguments>();
                 command.flag("--quick", arguments->quick, "the small sizes only, in seconds");
+                command.option("--cells", arguments->cells, "sizes of so many cells only",
+                               between(1, 1'000'000));
+                command.option("--nodes", arguments->nodes, "sizes of so many nodes a cell only",
+                               between(1, 1'000'000));
                 command.option("--repetitions", arguments->repetitions,
                                "of every timing; the least counts", between(1, 1000));
                 add_common_options(command, arguments->common,

@@ -6,6 +6,7 @@
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/cli/simulate.hpp"
+#include "engine/run/expectations.hpp"
 #include "engine/store/run_file.hpp"
 
 #include <fmt/format.h>
@@ -115,6 +116,13 @@ MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
                     "seed {} ended at its cap of time, not at rest: t = {:.0f} s, {} flipped "
                     "triangles",
                     seed, run->time_s, run->totals.n_flipped_triangles));
+            for (const Expectation& row :
+                 check_expectations(scene_of(table, setup, seed), run->totals))
+                if (!row.met)
+                    measured.remarks.push_back(
+                        fmt::format("seed {} misses [expect] of its scene: {} is {:.4g}, not in "
+                                    "[{:g}, {:g}] {}",
+                                    seed, row.measure, row.value, row.min, row.max, row.unit));
             runs.runs.push_back(std::move(*run));
         } catch (const Error& error) {
             if (error.code() == ExitCode::interrupted || error.code() == ExitCode::terminated)

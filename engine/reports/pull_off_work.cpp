@@ -1,4 +1,4 @@
-#include "engine/reports/pull_off.hpp"
+#include "engine/reports/pull_off_work.hpp"
 
 #include "engine/stages/build.hpp"
 

@@ -5,7 +5,8 @@
 #include "engine/reports/stability.hpp"
 
 #include "engine/reports/machine.hpp"
-#include "engine/reports/pull_off.hpp"
+#include "engine/reports/pull_off_work.hpp"
+#include "engine/reports/variants.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -154,18 +155,6 @@ void note_what_varies(const std::string& setting, StabilityRow& row) {
     if (end == value.c_str()) row.varied_value = k_undefined;
     row.varied_unit = value.substr(static_cast<std::size_t>(end - value.c_str()));
     row.varied_unit.erase(0, row.varied_unit.find_first_not_of(' '));
-}
-
-std::vector<scene::Override> overrides_of(const scene::Variant& variant) {
-    std::vector<scene::Override> result;
-    for (const std::string& text : variant.set) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos || equals == 0)
-            throw Error(variant.loc,
-                        fmt::format("variant.set wants \"key=value\", got \"{}\"", text));
-        result.push_back({text.substr(0, equals), text.substr(equals + 1)});
-    }
-    return result;
 }
 
 std::string stem_of(const std::string& file) {

@@ -89,6 +89,21 @@ TEST_F(Reproduce, ListsARunThatFailsWithItsReason) {
     EXPECT_EQ(verdict(outcome, 0), "agrees");
 }
 
+TEST_F(Reproduce, ListsARunThatMissesWhatItsSceneExpects) {
+    write_file("small.toml", std::string(k_three_cells_scene) +
+                                 "\n[expect]\ncontact_fraction = { min = 0.9 }\n"
+                                 "n_flipped_triangles = { max = 0 }\n");
+    const Outcome outcome = reproduce("--quick");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::string remarks;
+    const auto document = nlohmann::json::parse(outcome.out);
+    for (const auto& remark : document["remarks"]) remarks += remark.get<std::string>() + "\n";
+    EXPECT_NE(remarks.find("seed 1 misses [expect] of its scene: contact_fraction is 0."),
+              std::string::npos)
+        << remarks;
+    EXPECT_EQ(remarks.find("n_flipped_triangles"), std::string::npos) << remarks;
+}
+
 TEST_F(Reproduce, RefusesARunOfAnotherScene) {
     ASSERT_EQ(reproduce("--quick").code, 0);
     std::string changed = k_claims;

@@ -125,5 +125,17 @@ TEST_F(StabilityVerb, BenchGivesTimesTogetherWithErrorsAndHashes) {
     EXPECT_EQ(names_in("here"), (std::vector<std::string>{"bench.csv", "bench.json"}));
 }
 
+TEST_F(StabilityVerb, BenchTakesTheSizesThatWereAskedForAndNamesThemWhenThereAreNone) {
+    const Outcome outcome = call({"bench", "--cells", "1", "--nodes", "162", "--repetitions", "1",
+                                  "--json", "--quiet", "-o", "one"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto rows = nlohmann::json::parse(outcome.out)["rows"];
+    ASSERT_EQ(rows.size(), 2U);  // on one thread and on two
+    for (const auto& row : rows) EXPECT_EQ(row["cells"], 1);
+    const Outcome none = call({"bench", "--cells", "7", "--quiet", "-o", "none"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_NE(none.err.find("150 x 642"), std::string::npos) << none.err;
+}
+
 }  // namespace
 }  // namespace spheroscope
