@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/inspect/frame_system.hpp"
-#include "engine/solve/step_anatomy.hpp"
+#include "engine/run/step_anatomy.hpp"
 
 namespace spheroscope::inspect {
 

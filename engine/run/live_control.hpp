@@ -2,7 +2,7 @@
 
 #include "engine/run/changes.hpp"
 #include "engine/run/snapshot.hpp"
-#include "engine/solve/step_anatomy.hpp"
+#include "engine/run/step_anatomy.hpp"
 
 #include <atomic>
 #include <memory>

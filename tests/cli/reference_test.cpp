@@ -58,7 +58,7 @@ TEST_F(Reference, TheManualPageHasTheVerbsAndOptionsOfHelpAndNoOthers) {
         n_options += in_page.size();
     }
     EXPECT_GT(n_options, 40U) << "the control: there are options to compare";
-    EXPECT_EQ(matches(page, "\n\\.SS ([a-z]+)\n").size(), names.size());
+    EXPECT_EQ(matches(page, "\n\\.SS ([a-z-]+)\n").size(), names.size());
 }
 
 TEST_F(Reference, TheManualPageIsOneForTroff) {

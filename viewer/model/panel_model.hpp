@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/solve/step_anatomy.hpp"
+#include "engine/run/step_anatomy.hpp"
 #include "viewer/model/bookmarks.hpp"
 #include "viewer/model/history.hpp"
 #include "viewer/model/pick.hpp"

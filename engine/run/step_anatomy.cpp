@@ -1,4 +1,4 @@
-#include "engine/solve/step_anatomy.hpp"
+#include "engine/run/step_anatomy.hpp"
 
 #include "engine/base/error.hpp"
 

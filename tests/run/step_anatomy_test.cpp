@@ -2,7 +2,7 @@
 // state is what it was.
 
 #include "engine/base/error.hpp"
-#include "engine/solve/step_anatomy.hpp"
+#include "engine/run/step_anatomy.hpp"
 #include "tests/reference/made_up_cells.hpp"
 
 #include <gtest/gtest.h>
