@@ -77,6 +77,16 @@ double drawn_extent_um(const Snapshot& snapshot) {
     return std::max(extent_um, (probe.centre_um() - centre_um).norm() + probe.radius_um);
 }
 
+/// From the middle of the aggregate to the middle of all that is shown, half way between the far
+/// ends of cells and bead; zero without a bead.
+Vec3 bead_aside_um(const Snapshot& snapshot) {
+    const Probe& probe = snapshot.load.probe;
+    if (!probe.acts()) return Vec3::Zero();
+    const Vec3 way_um = probe.centre_um() - aggregate_centre_um(snapshot);
+    const double beyond_um = way_um.norm() + probe.radius_um - aggregate_extent_um(snapshot);
+    return std::max(0.0, 0.5 * beyond_um) * way_um.normalized();
+}
+
 }  // namespace
 
 bool shows_field(const Snapshot& snapshot) { return snapshot.stage_name != "anneal"; }
@@ -100,12 +110,7 @@ double aggregate_extent_um(const Snapshot& snapshot) {
 }
 
 double shown_extent_um(const Snapshot& snapshot) {
-    const double cells_um = aggregate_extent_um(snapshot);
-    const Probe& probe = snapshot.load.probe;
-    if (!probe.acts()) return cells_um;
-    // enough of the probe to be known as a sphere
-    const double to_probe_um = (probe.centre_um() - aggregate_centre_um(snapshot)).norm();
-    return std::max(cells_um, to_probe_um - 0.4 * probe.radius_um);
+    return aggregate_extent_um(snapshot) + bead_aside_um(snapshot).norm();
 }
 
 int find_picture_field(const RunHeader& header, const scene::Picture& picture) {
@@ -344,6 +349,11 @@ Camera Renderer::camera(const Snapshot& snapshot, const View& view) const {
     camera.px_per_um = k_filled_share * 0.5 * std::min<double>(height, free_width) / radius_um;
     camera.centre_x_px = 0.5 * free_width;
     camera.centre_y_px = 0.5 * height + 8.0 * writing_scale(height);  // room for the title
+    if (h.picture.exploded == 0.0) {
+        const Camera::Pixel middle = camera.project(camera.focal_um + bead_aside_um(snapshot));
+        camera.centre_x_px += camera.centre_x_px - middle.x;
+        camera.centre_y_px += camera.centre_y_px - middle.y;
+    }
     return camera;
 }
 

@@ -39,7 +39,7 @@ struct View {
 /// Distance of the farthest node from there, um.
 [[nodiscard]] double aggregate_extent_um(const Snapshot& snapshot);
 
-/// What the picture makes room for: that, and with a probe the nearer part of it.
+/// Half the extent that the picture makes room for: of the cells, and of the bead where one acts.
 [[nodiscard]] double shown_extent_um(const Snapshot& snapshot);
 
 /// Turns snapshots of one run into pictures, one view of the scene. Pictures are the same bits for

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,17 @@ std::vector<FT_ULong> decode_utf8(std::string_view text) {
         points.push_back(point);
     }
     return points;
+}
+
+/// Whether nothing has been drawn in this rectangle.
+bool is_white(const Image& image, double left, double top, double right, double bottom) {
+    const auto within = [](double at, int size) {
+        return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(size)));
+    };
+    for (int y = within(top, image.height); y < within(bottom, image.height); ++y)
+        for (int x = within(left, image.width); x < within(right, image.width); ++x)
+            if (image.at(x, y) != Rgb{255, 255, 255}) return false;
+    return true;
 }
 
 void blend_glyph(Image& image, const FT_Bitmap& bitmap, int left, int top, Rgb colour) {
@@ -133,10 +145,26 @@ double TextPainter::width(std::string_view text, const Style& style) {
     return lay_out(nullptr, 0.0, 0.0, text, style);
 }
 
+void TextPainter::draw_halo(Image& image, double x, double y, std::string_view text,
+                            const Style& style) {
+    const double h = style.halo_px;
+    if (is_white(image, x - h, y - style.size_px - h, x + width(text, style) + h,
+                 y + 0.3 * style.size_px + h))
+        return;
+    Style white = style;
+    white.colour = {255, 255, 255};
+    constexpr int k_directions = 12;
+    for (int k = 0; k < k_directions; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / k_directions;
+        lay_out(&image, x + h * std::cos(angle), y + h * std::sin(angle), text, white);
+    }
+}
+
 void TextPainter::draw(Image& image, double x, double y_baseline, std::string_view text,
                        const Style& style, Anchor anchor) {
     double start = x;
     if (anchor != Anchor::left) start -= width(text, style) * (anchor == Anchor::right ? 1.0 : 0.5);
+    if (style.halo_px > 0.0) draw_halo(image, start, y_baseline, text, style);
     lay_out(&image, start, y_baseline, text, style);
 }
 

@@ -29,6 +29,8 @@ class TextPainter {
         Rgb colour{38, 40, 44};
         FontStyle font = FontStyle::normal;
         TextMode mode = TextMode::plain;
+        /// Width of a white edge about the letters, where they stand on something drawn.
+        double halo_px = 0.0;
     };
 
     /// Width of the line of UTF-8 text, px. Throws Error for text that is not UTF-8.
@@ -40,6 +42,7 @@ class TextPainter {
   private:
     struct Hidden;
     double lay_out(Image* image, double x, double y, std::string_view text, const Style& style);
+    void draw_halo(Image& image, double x, double y, std::string_view text, const Style& style);
     std::unique_ptr<Hidden> hidden_;
 };
 

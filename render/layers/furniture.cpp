@@ -15,7 +15,7 @@ namespace {
 
 // All sizes in px of a picture with 720 rows.
 constexpr double k_margin = 28.0;
-constexpr double k_text = 22.0, k_title = 30.0;
+constexpr double k_text = 22.0, k_title = 30.0, k_halo = 2.5;
 constexpr double k_line = 32.0;  // from baseline to baseline
 constexpr double k_column = 236.0;
 constexpr Rgb k_ink{38, 40, 44}, k_soft_ink{104, 108, 116};
@@ -46,9 +46,16 @@ class Writer {
         text_.draw(image_, x, y, words, {scaled(k_text), colour, FontStyle::normal, mode}, anchor);
     }
 
+    /// A line that may stand on cells or bead.
+    void line_above(double x, double y, const std::string& words, Rgb colour) {
+        text_.draw(image_, x, y, words,
+                   {scaled(k_text), colour, FontStyle::normal, TextMode::plain, scaled(k_halo)});
+    }
+
     /// Shrinks a long title to the width that is there, to the size of other text; then cuts it.
     void title(double x, double y, std::string words, double width) {
-        TextPainter::Style style{scaled(k_title), k_ink, FontStyle::bold, TextMode::plain};
+        TextPainter::Style style{scaled(k_title), k_ink, FontStyle::bold, TextMode::plain,
+                                 scaled(k_halo)};
         const double wanted = text_.width(words, style);
         if (wanted > width)
             style.size_px = std::max(scaled(k_text), style.size_px * width / wanted);
@@ -202,9 +209,9 @@ void draw_furniture(Image& image, TextPainter& text, const Furniture& furniture)
     double y = scaled(k_margin + 24.0);
     writer.title(left, y, furniture.title, image.width - column - 2.0 * left);
     y += scaled(6.0);
-    writer.line(left, y += scaled(k_line), furniture.status);
+    writer.line_above(left, y += scaled(k_line), furniture.status, k_ink);
     for (const std::string& note : furniture.notes)
-        writer.line(left, y += scaled(k_line), note, k_soft_ink);
+        writer.line_above(left, y += scaled(k_line), note, k_soft_ink);
 
     const ScaleBar bar = make_scale_bar(image.width, image.height, furniture.px_per_um);
     fill_rectangle(image, bar.x0, bar.y0, bar.x1, bar.y1, k_ink);

@@ -92,6 +92,31 @@ TEST(Picture, PulledApartHasRoomBetweenCellsAndKeepsThemInside) {
     EXPECT_GT(renderer.camera(*snapshot, {}).project({0, -29, 0}).x, 0.0);
 }
 
+TEST(Picture, UnderABeadHasRoomForAllOfItAndOfTheCells) {
+    const auto snapshot = make_aggregate(13, 42);
+    const double cells_um = aggregate_extent_um(*snapshot);
+    Probe& probe = snapshot->load.probe;
+    probe.radius_um = 0.6 * cells_um;
+    probe.direction = Vec3(0.0, 0.0, -1.0);
+    probe.start_um = aggregate_centre_um(*snapshot) + Vec3(0.0, 0.0, 1.5 * cells_um);
+    snapshot->load.hull = std::make_shared<const Hull>();
+    const scene::Picture picture = front_picture("mean_stress");
+    Renderer renderer(snapshot->header, picture);
+    const Camera camera = renderer.camera(*snapshot, {});
+    const double top = camera.project(probe.centre_um()).y - probe.radius_um * camera.px_per_um;
+    const double bottom =
+        camera.project(aggregate_centre_um(*snapshot)).y + cells_um * camera.px_per_um;
+    EXPECT_GT(top, 0.0);
+    EXPECT_LT(bottom, picture.size_px[1]);
+    EXPECT_GT(bottom - top, 0.8 * picture.size_px[1]);  // and no room is wasted
+    // Without it the cells are in the middle, and larger.
+    probe = {};
+    const Camera alone = renderer.camera(*snapshot, {});
+    EXPECT_GT(alone.px_per_um, 1.3 * camera.px_per_um);
+    EXPECT_LT(alone.project(aggregate_centre_um(*snapshot)).y,
+              camera.project(aggregate_centre_um(*snapshot)).y);
+}
+
 TEST(Picture, StressAxesAreRedAlongTensionAndBlueAlongCompression) {
     auto header = make_header(1, 162);
     for (const std::string_view name : scene::k_stress_components)
