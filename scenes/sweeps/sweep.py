@@ -126,6 +126,12 @@ def run_one(program, sweep, run, threads, status_file):
     return 0
 
 
+def has_an_end(status):
+    """Whether a run, from its status, came to the end of its stages: at rest, steady, after its time, or
+    at its cap; also when it misses its bounds."""
+    return status["outcome"] in ("rest", "stationary", "done", "cap")
+
+
 def write_table(sweep, status_files, table_file):
     """One row for every run that the sweep has; returns those that failed, with their reasons."""
     failed = []

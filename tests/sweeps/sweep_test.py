@@ -57,6 +57,12 @@ class Reading(InFolder):
         grid = sweeps.read(ROOT / "scenes" / "sweeps" / "paper_grid.sweep")
         self.assertEqual(len(grid.runs), 5 * 6 * 5)
 
+    def test_runs_without_an_end_are_not_drawn(self):
+        self.assertTrue(sweeps.has_an_end({"outcome": "cap"}))
+        self.assertTrue(sweeps.has_an_end({"outcome": "rest"}))
+        for outcome in ("", "unstable", "not packed", "stopped", "time limit"):
+            self.assertFalse(sweeps.has_an_end({"outcome": outcome}))
+
     def test_mistakes_name_file_and_key(self):
         for text, words in [
             (TEXT.replace("seeds", "seed"), "wanted 'seeds'"),
