@@ -1,5 +1,6 @@
 #include "render/picture.hpp"
 
+#include "engine/run/aggregate_shape.hpp"
 #include "engine/run/exploded.hpp"
 #include "engine/run/principal_stress.hpp"
 #include "render/layers/cell_surfaces.hpp"
@@ -90,24 +91,6 @@ Vec3 bead_aside_um(const Snapshot& snapshot) {
 }  // namespace
 
 bool shows_field(const Snapshot& snapshot) { return snapshot.stage_name != "anneal"; }
-
-Vec3 aggregate_centre_um(const Snapshot& snapshot) {
-    Vec3 sum = Vec3::Zero();
-    double volume_um3 = 0.0;
-    for (std::size_t c = 0; c < snapshot.volume_um3.size(); ++c) {
-        sum += static_cast<double>(snapshot.volume_um3[c]) * point(snapshot.centre_um, c);
-        volume_um3 += static_cast<double>(snapshot.volume_um3[c]);
-    }
-    return sum / volume_um3;
-}
-
-double aggregate_extent_um(const Snapshot& snapshot) {
-    const Vec3 centre = aggregate_centre_um(snapshot);
-    double farthest = 0.0;
-    for (std::size_t i = 0; i < snapshot.x_um.size() / 3; ++i)
-        farthest = std::max(farthest, (point(snapshot.x_um, i) - centre).squaredNorm());
-    return std::sqrt(farthest);
-}
 
 double shown_extent_um(const Snapshot& snapshot) {
     return aggregate_extent_um(snapshot) + bead_aside_um(snapshot).norm();

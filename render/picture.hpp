@@ -34,11 +34,6 @@ struct View {
     Quality quality = Quality::full;
 };
 
-/// Middle of the aggregate: the cells' centres weighted with their volumes, um.
-[[nodiscard]] Vec3 aggregate_centre_um(const Snapshot& snapshot);
-/// Distance of the farthest node from there, um.
-[[nodiscard]] double aggregate_extent_um(const Snapshot& snapshot);
-
 /// Half the extent that the picture makes room for: of the cells, and of the bead where one acts.
 [[nodiscard]] double shown_extent_um(const Snapshot& snapshot);
 

@@ -18,7 +18,7 @@ void RunSurvey::add(const Snapshot& snapshot) {
     if (!summaries_.empty() && snapshot.time_s > summaries_.back().time_s)
         smallest_interval_s_ =
             std::min(smallest_interval_s_, snapshot.time_s - summaries_.back().time_s);
-    extent_um_.push_back(render::aggregate_extent_um(snapshot));
+    extent_um_.push_back(render::shown_extent_um(snapshot));
     summaries_.push_back(summary_of(snapshot));
 }
 

@@ -1,3 +1,4 @@
+#include "engine/run/aggregate_shape.hpp"
 #include "render/colour_maps.hpp"
 #include "render/layers/force_network.hpp"
 #include "render/layers/furniture.hpp"
