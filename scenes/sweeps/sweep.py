@@ -103,6 +103,18 @@ def read(file):
                  tuple(runs))
 
 
+def reason_of(result, messages):
+    """Why a run is not simply finished: its own message, the bounds that it misses, its cap; else what
+    it wrote on stderr."""
+    if result.get("message"):
+        return result["message"]
+    missed = [f"{row['measure']} = {row['value']:.4g}" for row in result.get("expectations", [])
+              if not row["met"] and row["value"] is not None]
+    if result.get("outcome") == "cap":
+        missed.insert(0, "moved until its cap")
+    return "; ".join(missed) or messages.strip()
+
+
 def run_one(program, sweep, run, threads, status_file):
     """Runs one point, or goes on with it, and writes what came out, also when it failed."""
     folder = Path(status_file).parent
@@ -115,7 +127,7 @@ def run_one(program, sweep, run, threads, status_file):
         sys.stderr.write(done.stderr)
         return done.returncode if done.returncode > 0 else 1
     result = json.loads(done.stdout) if done.stdout.strip() else {}
-    reason = "" if done.returncode == 0 else (result.get("message") or done.stderr.strip())
+    reason = "" if done.returncode == 0 else reason_of(result, done.stderr)
     status = {"state": FINISHED[done.returncode], "exit_code": done.returncode, "reason": reason,
               "outcome": result.get("outcome", ""), "wall_s": result.get("wall_s"),
               "threads": threads, "state_hash": result.get("state_hash"),

@@ -57,6 +57,15 @@ class Reading(InFolder):
         grid = sweeps.read(ROOT / "scenes" / "sweeps" / "paper_grid.sweep")
         self.assertEqual(len(grid.runs), 5 * 6 * 5)
 
+    def test_the_reason_is_the_message_or_what_was_missed(self):
+        missed = {"outcome": "cap", "expectations": [
+            {"measure": "virial_defect", "value": 0.0123, "met": False},
+            {"measure": "n_folds", "value": 0, "met": True}]}
+        self.assertEqual(sweeps.reason_of(missed, "warning: much"),
+                         "moved until its cap; virial_defect = 0.0123")
+        self.assertEqual(sweeps.reason_of({"message": "unstable", **missed}, ""), "unstable")
+        self.assertEqual(sweeps.reason_of({}, "error: no such scene\n"), "error: no such scene")
+
     def test_runs_without_an_end_are_not_drawn(self):
         self.assertTrue(sweeps.has_an_end({"outcome": "cap"}))
         self.assertTrue(sweeps.has_an_end({"outcome": "rest"}))
