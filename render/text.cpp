@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -41,17 +40,6 @@ std::vector<FT_ULong> decode_utf8(std::string_view text) {
         points.push_back(point);
     }
     return points;
-}
-
-/// Whether nothing has been drawn in this rectangle.
-bool is_white(const Image& image, double left, double top, double right, double bottom) {
-    const auto within = [](double at, int size) {
-        return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(size)));
-    };
-    for (int y = within(top, image.height); y < within(bottom, image.height); ++y)
-        for (int x = within(left, image.width); x < within(right, image.width); ++x)
-            if (image.at(x, y) != Rgb{255, 255, 255}) return false;
-    return true;
 }
 
 void blend_glyph(Image& image, const FT_Bitmap& bitmap, int left, int top, Rgb colour) {
@@ -147,17 +135,40 @@ double TextPainter::width(std::string_view text, const Style& style) {
 
 void TextPainter::draw_halo(Image& image, double x, double y, std::string_view text,
                             const Style& style) {
-    const double h = style.halo_px;
-    if (is_white(image, x - h, y - style.size_px - h, x + width(text, style) + h,
-                 y + 0.3 * style.size_px + h))
-        return;
-    Style white = style;
-    white.colour = {255, 255, 255};
-    constexpr int k_directions = 12;
-    for (int k = 0; k < k_directions; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / k_directions;
-        lay_out(&image, x + h * std::cos(angle), y + h * std::sin(angle), text, white);
-    }
+    // The letters on a sheet of their own, at the same fractions of a pixel.
+    const int reach = static_cast<int>(std::ceil(style.halo_px));
+    const int left = static_cast<int>(std::floor(x)) - reach;
+    const int top = static_cast<int>(std::floor(y - 1.2 * style.size_px)) - reach;
+    Image sheet(static_cast<int>(std::ceil(width(text, style))) + 2 * reach + 2,
+                static_cast<int>(std::ceil(1.6 * style.size_px)) + 2 * reach);
+    Style black = style;
+    black.colour = {0, 0, 0};
+    lay_out(&sheet, x - left, y - top, text, black);
+    // Every inked pixel whitens the disc around it.
+    std::vector<std::array<int, 2>> disc;
+    for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx)
+            if (dx * dx + dy * dy <= style.halo_px * style.halo_px) disc.push_back({dx, dy});
+    std::vector<int> white(static_cast<std::size_t>(sheet.width) *
+                           static_cast<std::size_t>(sheet.height));
+    const auto at = [&](int column, int row) -> int& {
+        return white[static_cast<std::size_t>(row) * static_cast<std::size_t>(sheet.width) +
+                     static_cast<std::size_t>(column)];
+    };
+    for (int row = reach; row < sheet.height - reach; ++row)
+        for (int column = reach; column < sheet.width - reach; ++column) {
+            const int cover = 255 - sheet.at(column, row).r;
+            if (cover == 0) continue;
+            for (const auto& [dx, dy] : disc)
+                at(column + dx, row + dy) = std::max(at(column + dx, row + dy), cover);
+        }
+    for (int row = 0; row < sheet.height; ++row)
+        for (int column = 0; column < sheet.width; ++column) {
+            const int px = left + column, py = top + row;
+            if (at(column, row) == 0 || px < 0 || px >= image.width || py < 0 || py >= image.height)
+                continue;
+            image.set(px, py, mix(image.at(px, py), {255, 255, 255}, at(column, row) / 255.0));
+        }
 }
 
 void TextPainter::draw(Image& image, double x, double y_baseline, std::string_view text,
