@@ -1,7 +1,4 @@
-// Plots by VTK's charts on the OSMesa context. Logarithms are taken here, and the axes are linear
-// with their own labels: VTK's logarithmic axes label a range of less than a decade with nothing,
-// and write 1e-3 where a reader expects 10⁻³. Every text gets the font file, because VTK's built-in
-// font has neither Greek nor superscripts.
+// Plots by VTK's charts on the OSMesa context, with axes of our own (render/plot_axes).
 
 #include "render/plot.hpp"
 
@@ -9,6 +6,7 @@
 #include "render/colour_maps.hpp"
 #include "render/line_chart.hpp"
 #include "render/osmesa_context.hpp"
+#include "render/plot_axes.hpp"
 #include "render/png.hpp"
 
 #include <vtkAxis.h>
@@ -27,7 +25,6 @@
 #include <vtkPlotLine.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -58,103 +55,6 @@ constexpr std::array<Rgb, 7> k_colours{{{0, 114, 178},
 constexpr std::array<int, 5> k_markers{vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE,
                                        vtkPlotPoints::DIAMOND, vtkPlotPoints::CROSS,
                                        vtkPlotPoints::PLUS};
-
-void set_font(vtkTextProperty* text, int size, const char* file = SPHEROSCOPE_FONT) {
-    text->SetFontFamily(VTK_FONT_FILE);
-    text->SetFontFile(file);
-    text->SetFontSize(size);
-    text->SetColor(0.15, 0.16, 0.17);
-    text->SetBold(0);
-    text->SetItalic(0);
-}
-
-/// "10⁻³"; between decades "2", "5".
-std::string power_of_ten(int exponent) {
-    static const std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴",
-                                                    "⁵", "⁶", "⁷", "⁸", "⁹"};
-    if (exponent == 0) return "1";
-    std::string text = "10";
-    if (exponent < 0) text += "⁻";
-    for (const char c : std::to_string(std::abs(exponent)))
-        text += digits[static_cast<std::size_t>(c - '0')];
-    return text;
-}
-
-/// What one axis shows; in powers of ten where it is logarithmic.
-struct AxisRange {
-    double low = 1.0, high = -1.0;
-    bool is_logarithmic;
-
-    explicit AxisRange(const reports::Plot::Axis& axis)
-        : is_logarithmic(axis.is_logarithmic && axis.categories.empty()) {
-        if (axis.categories.empty()) return;
-        low = -0.5;
-        high = static_cast<double>(axis.categories.size()) - 0.5;
-    }
-
-    [[nodiscard]] double place(double value) const {
-        return is_logarithmic ? std::log10(value) : value;
-    }
-    void include(double value) {
-        if (!std::isfinite(value) || (is_logarithmic && value <= 0.0)) return;
-        if (low > high) low = high = place(value);
-        low = std::min(low, place(value));
-        high = std::max(high, place(value));
-    }
-    /// Some space around the points, but none below zero where all are above it; of a logarithmic
-    /// axis at least one whole decade.
-    void widen() {
-        if (low > high) {
-            low = 0.0;
-            high = 1.0;
-        }
-        if (is_logarithmic) {
-            low -= 0.15;
-            high += 0.15;
-            if (std::floor(high) < std::ceil(low) + 1.0) {
-                const double middle = std::round(0.5 * (low + high));
-                low = std::min(low, middle - 0.55);
-                high = std::max(high, middle + 0.55);
-            }
-            return;
-        }
-        const double width = high > low ? high - low : std::max(1e-3, 0.2 * std::abs(high));
-        low = low >= 0.0 && low < 0.5 * high ? 0.0 : low - 0.06 * width;
-        high += 0.06 * width;
-    }
-};
-
-void set_axis(vtkAxis* axis, const std::string& title, const AxisRange& range,
-              const std::vector<std::string>& categories) {
-    axis->SetBehavior(vtkAxis::FIXED);
-    axis->SetRange(range.low, range.high);
-    axis->SetTitle(title);
-    set_font(axis->GetTitleProperties(), 16);
-    set_font(axis->GetLabelProperties(), 14);
-    axis->SetGridVisible(true);
-    axis->GetGridPen()->SetColor(225, 227, 230);
-    vtkNew<vtkDoubleArray> places;
-    vtkNew<vtkStringArray> labels;
-    const auto add = [&](double place, const std::string& label) {
-        places->InsertNextValue(place);
-        labels->InsertNextValue(label);
-    };
-    if (!categories.empty()) {
-        for (std::size_t i = 0; i < categories.size(); ++i)
-            add(static_cast<double>(i), categories[i]);
-    } else if (range.is_logarithmic) {
-        const int first = static_cast<int>(std::ceil(range.low));
-        const int last = static_cast<int>(std::floor(range.high));
-        const int step = std::max(1, (last - first) / 5);
-        for (int exponent = first; exponent <= last; exponent += step)
-            add(exponent, power_of_ten(exponent));
-    } else {
-        const double step = tick_step(range.high - range.low, 5);
-        for (double i = std::ceil(range.low / step); i * step <= range.high; ++i)
-            add(i * step, tick_label(i * step, step));
-    }
-    axis->SetCustomTickPositions(places, labels);
-}
 
 /// Paints in the pixels of the scene (origin at the bottom left), before or after a chart.
 class Overlay : public vtkContextItem {

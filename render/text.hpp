@@ -29,7 +29,7 @@ class TextPainter {
         Rgb colour{38, 40, 44};
         FontStyle font = FontStyle::normal;
         TextMode mode = TextMode::plain;
-        /// Width of a white edge about the letters, where they stand on something drawn.
+        /// Width of a white edge about the letters, unseen on white.
         double halo_px = 0.0;
     };
 

@@ -41,12 +41,6 @@ void add_quantities(const ContactSummary& summary, std::vector<TableCell>& row) 
     }
 }
 
-nlohmann::json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
-std::string vector_text(const Vec3& v) {
-    return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z());
-}
-
 nlohmann::json points_json(const std::vector<inspect::PlanePoint>& points) {
     nlohmann::json rows = nlohmann::json::array();
     for (const inspect::PlanePoint& p : points)

@@ -50,6 +50,12 @@ nlohmann::json machine_json(const CommonOptions& options, const Invocation& invo
             {"version", invocation.version}};
 }
 
+nlohmann::json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+std::string vector_text(const Vec3& v) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z());
+}
+
 nlohmann::json number_or_null(double value) {
     return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }

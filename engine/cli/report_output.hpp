@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/vec3.hpp"
 #include "engine/cli/options.hpp"
 #include "engine/cli/verb.hpp"
 #include "engine/reports/report_table.hpp"
@@ -26,6 +27,10 @@ void write_text_file(const std::string& path, const std::string& text);
 
 /// null where a number is missing or not finite: JSON has no word for it.
 [[nodiscard]] nlohmann::json number_or_null(double value);
+
+/// A vector as a list, and as "(x, y, z)".
+[[nodiscard]] nlohmann::json vector_json(const Vec3& v);
+[[nodiscard]] std::string vector_text(const Vec3& v);
 
 /// Draws the plot, or says why there is none. Returns the names of the files.
 [[nodiscard]] std::vector<std::string>

@@ -13,12 +13,6 @@ using reports::ReportTable;
 
 std::string place(const NodeOfCell& at) { return fmt::format("{}:{}", at.cell, at.node); }
 
-nlohmann::json json_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
-std::string vector_text(const Vec3& v) {
-    return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z());
-}
-
 std::string text_of(const StepAnatomy& anatomy, const StepAnatomy::Evaluation& evaluation) {
     ReportTable table{
         {{"term"}, {"before_nN"}, {"term_nN"}, {"after_nN"}, {"largest_nN"}, {"on_node"}}, {}};
@@ -93,8 +87,8 @@ nlohmann::json step_json(const StepAnatomy& anatomy) {
                                {"largest_nN", term.largest_nN},
                                {"largest_on", place(term.at)}};
             if (anatomy.node) {
-                row["on_node_nN"] = json_of(term.on_node_nN);
-                row["on_node_before_nN"] = json_of(term.on_node_before_nN);
+                row["on_node_nN"] = vector_json(term.on_node_nN);
+                row["on_node_before_nN"] = vector_json(term.on_node_before_nN);
             }
             terms.push_back(std::move(row));
         }
@@ -113,7 +107,7 @@ nlohmann::json step_json(const StepAnatomy& anatomy) {
                             {"largest_motion_of", place(anatomy.largest_moved)}};
     if (anatomy.node) {
         document["node"] = place(*anatomy.node);
-        document["node_moved_um"] = json_of(anatomy.node_moved_um);
+        document["node_moved_um"] = vector_json(anatomy.node_moved_um);
     }
     if (outcome.trouble) document["trouble"] = outcome.trouble->text();
     return document;

@@ -33,12 +33,8 @@ struct InspectArguments {
     CommonOptions common;
 };
 
-struct NodeKey {
-    int cell, node;
-};
-
-NodeKey parse_node(const std::string& text) {
-    NodeKey key{-1, -1};
+NodeOfCell parse_node(const std::string& text) {
+    NodeOfCell key{-1, -1};
     const char *begin = text.data(), *end = begin + text.size();
     const auto first = std::from_chars(begin, end, key.cell);
     if (first.ec == std::errc() && first.ptr != end && *first.ptr == ':') {
@@ -141,7 +137,7 @@ void show_contact(const InspectArguments& arguments, const RunFileReader& reader
     const inspect::ContactReport report = inspect::inspect_contact(pair, key);
     std::optional<inspect::NodeForces> forces;
     if (!arguments.node.empty()) {
-        const NodeKey node = parse_node(arguments.node);
+        const NodeOfCell node = parse_node(arguments.node);
         FrameSystem whole(reader.header(), {}, FrameSystem::Detail::forces);
         whole.load(frame);
         forces = inspect::forces_on_node(whole, node.cell, node.node);
@@ -166,10 +162,7 @@ void show_step(const InspectArguments& arguments, const RunFileReader& reader,
     FrameSystem whole(reader.header(), {}, FrameSystem::Detail::forces);
     whole.load(frame);
     std::optional<NodeOfCell> node;
-    if (!arguments.node.empty()) {
-        const NodeKey key = parse_node(arguments.node);
-        node = {key.cell, key.node};
-    }
+    if (!arguments.node.empty()) node = parse_node(arguments.node);
     const StepAnatomy anatomy = inspect::step_of_frame(whole, node);
     if (arguments.common.json) {
         nlohmann::json document = head_json(reader);
@@ -179,8 +172,10 @@ void show_step(const InspectArguments& arguments, const RunFileReader& reader,
         print_json(document);
         return;
     }
-    fmt::print("{}: a step of {} from here, with the wall at rest\n{}", frame_text(reader, *frame),
-               whole.scene().method.name, step_text(anatomy));
+    fmt::print("{}: a step of {} from here{}\n{}", frame_text(reader, *frame),
+               whole.scene().method.name,
+               frame->diagnostics.wall_radius_um > 0.0 ? ", with the wall at rest" : "",
+               step_text(anatomy));
 }
 
 /// All contacts of one frame, or one node without a contact.
@@ -193,7 +188,7 @@ void show_frame(const InspectArguments& arguments, const RunFileReader& reader,
     nlohmann::json document = head_json(reader);
     add_frame(document, *frame);
     if (has_node) {
-        const NodeKey key = parse_node(arguments.node);
+        const NodeOfCell key = parse_node(arguments.node);
         const inspect::NodeForces forces = inspect::forces_on_node(whole, key.cell, key.node);
         document["node"] = node_json(forces);
         if (arguments.common.json)

@@ -1,6 +1,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/log.hpp"
+#include "engine/cli/progress.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/cli/verb.hpp"
 #include "engine/reports/pull_off_force.hpp"
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -46,8 +48,14 @@ ExitCode pull_off(const PullOffArguments& arguments, const reports::DrawPlot& dr
     options.rate_nN_per_s = arguments.rate_nN_per_s.value_or(options.rate_nN_per_s);
     options.threads = arguments.common.n_threads();
     options.stop = &interrupts.stop();
+    Progress progress(progress_style(arguments.common.quiet));
+    options.progress = [&](const std::string& variant, double share) {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        progress.update({variant, share, unknown, unknown});
+    };
     const std::vector<reports::PullOff> rows =
         reports::measure_pull_off(arguments.scene, arguments.common.overrides(), options);
+    progress.clear();
     const reports::ReportTable table = table_of(rows);
     std::vector<std::string> comments = report_comments(arguments.common, invocation);
     comments.push_back(fmt::format("force grows by {} nN/s", options.rate_nN_per_s));

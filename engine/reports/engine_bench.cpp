@@ -196,8 +196,8 @@ BenchStep time_steps(const scene::Scene& scene, const MethodRow& method, System&
             if (!outcome.accepted) result.message = outcome.trouble->text();
         }
     };
-    make_steps(
-        1);  // explicit methods look for their largest stable step, which takes ten steps' time
+    // Before their first step explicit methods look for the largest stable one: ten steps' time.
+    make_steps(1);
     result.time = least_time(1, [&](int) { make_steps(k_steps); });
     result.time.wall_ms /= k_steps;
     result.time.cpu_ms /= k_steps;

@@ -49,18 +49,12 @@ void check(const scene::Scene& scene) {
     want(scene.cortex.tension.has_value(), "[cortex.tension]");
     want(scene.cortex.elastic.has_value(), "[cortex.elastic]");
     want(!scene.body_force, "no [load.body_force]: it brings its own");
+    want(chosen_method(scene).moves_in_time(), "a method whose motion is one in time");
     const std::vector<double> radii = cell_radii(scene, {});
     want(radii[0] == radii[1], "cells of one radius");
     for (const scene::Stage& stage : scene.stages)
         want(stage.kind == scene::StageKind::relax && stage.nodes == scene.cells.nodes,
              "stages of kind \"relax\" on one mesh");
-}
-
-double contact_area_um2(const System& system) {
-    double sum = 0.0;
-    for (const Contacts::Group& group : system.contacts().groups)
-        for (const ContactPair& pair : group.pairs) sum += pair.area_um2;
-    return sum;
 }
 
 Vec3 centre_of(const Model& model, std::span<const Vec3> x_um, int cell) {
@@ -87,6 +81,10 @@ PullOff pull_apart(const scene::Scene& scene, const PullOffOptions& options) {
         result.problem = rest.outcome + ": " + rest.message;
         return result;
     }
+    if (!(result.area_at_rest_um2 > 0.0)) {
+        result.problem = "the cells do not touch at rest: there is nothing to pull at";
+        return result;
+    }
 
     Vec3 force_nN = Vec3::Zero();
     SystemParts parts = build_parts(scene);
@@ -111,7 +109,7 @@ PullOff pull_apart(const scene::Scene& scene, const PullOffOptions& options) {
             ++result.steps;
         }
         result.time_s = state.time_s;
-        if (contact_area_um2(system) == 0.0) break;
+        if (system.contacts().n_pairs() == 0) break;
         result.force_nN = strength_nN;
         result.over_pi_R_W = strength_nN / unit_nN;
         if (result.over_pi_R_W > k_largest_over_pi_R_W) {
@@ -140,6 +138,9 @@ std::vector<PullOff> measure_pull_off(const std::string& file,
         for (scene::Override& change : overrides_of(variant)) changes.push_back(std::move(change));
         const scene::Scene changed = scene::load_scene(file, changes);
         check(changed);
+        if (options.progress)
+            options.progress(variant.name, static_cast<double>(rows.size()) /
+                                               static_cast<double>(variants.size()));
         rows.push_back(pull_apart(changed, options));
         rows.back().variant = variant.name;
     }

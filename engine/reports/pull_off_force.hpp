@@ -4,6 +4,7 @@
 #include "engine/scene/scene.hpp"
 
 #include <atomic>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,14 @@ struct PullOffOptions {
     double rate_nN_per_s = 0.05;
     int threads = 1;
     const std::atomic<bool>* stop = nullptr;
+    std::function<void(const std::string& variant, double share)> progress{};
 };
 
 /// Runs the stages of every variant of the scene, then pulls on both cells, spread by rest area,
 /// along the line between their centres. The force is constant for half a second at a time. Parted
 /// are cells that no pair of triangles joins any more. Throws Error when the scene has not two
-/// cells of one radius, no adhesion, no tension, no elasticity, or stages that have no model time.
+/// cells of one radius, no adhesion, no tension, no elasticity, a method or stages that have no
+/// model time. A pair that does not touch at rest, or cannot be parted, is a row with its problem.
 [[nodiscard]] std::vector<PullOff> measure_pull_off(const std::string& file,
                                                     const std::vector<scene::Override>& overrides,
                                                     const PullOffOptions& options);

@@ -85,10 +85,6 @@ class Watch {
 
 }  // namespace
 
-const StepAnatomy::Evaluation& StepAnatomy::start() const {
-    return std::get<Evaluation>(phases.front());
-}
-
 StepAnatomy take_apart(System& system, Method& method, const State& state, double limit_s,
                        bool freeze_volume_integral, std::optional<NodeOfCell> node) {
     const Model& model = system.model();

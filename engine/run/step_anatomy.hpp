@@ -44,9 +44,6 @@ struct StepAnatomy {
     Vec3 node_moved_um = Vec3::Zero();  ///< displacement of that node
     double largest_moved_um = 0.0;      ///< and the largest one of all nodes
     NodeOfCell largest_moved;
-
-    /// Of the first evaluation, the start of the step. Precondition: there is one.
-    [[nodiscard]] const Evaluation& start() const;
 };
 
 /// Takes the step that `method` would make from this state, which stays as it is, and says what

@@ -47,6 +47,24 @@ statistics::Estimate estimate_of(const SetupStatistics& setup, const Quantity& q
         setup, [&](const statistics::RunStatistics& run) { return value_of(row, run.totals); });
 }
 
+bool has(const std::vector<double>& values, double value) {
+    return std::any_of(values.begin(), values.end(), [&](double v) { return is_equal(value, v); });
+}
+
+bool is_on(const Grid& grid, const statistics::Setup& setup) {
+    return has(grid.gamma_over_omega, setup.gamma_over_omega) &&
+           has(grid.Et_over_omega, setup.Et_over_omega);
+}
+
+/// Whether it shows something that the grids before it do not.
+bool adds_points(const Grid& grid, const std::vector<Grid>& before, Setups setups) {
+    return std::any_of(setups.begin(), setups.end(), [&](const SetupStatistics& setup) {
+        return is_on(grid, setup.setup()) &&
+               std::none_of(before.begin(), before.end(),
+                            [&](const Grid& other) { return is_on(other, setup.setup()); });
+    });
+}
+
 int points_on(const Grid& grid, Setups setups) {
     int n = 0;
     for (const double gamma : grid.gamma_over_omega)
@@ -133,7 +151,8 @@ Figure parameter_maps(Setups setups) {
     std::string reason = objection(setups);
     std::vector<Grid> grids;
     for (const Grid& grid : k_grids)
-        if (reason.empty() && points_on(grid, setups) > 1) grids.push_back(grid);
+        if (reason.empty() && points_on(grid, setups) > 1 && adds_points(grid, grids, setups))
+            grids.push_back(grid);
     if (reason.empty() && grids.empty())
         reason = "fewer than two of the runs' setups are points of the paper's grids";
     if (!reason.empty()) {
@@ -142,14 +161,8 @@ Figure parameter_maps(Setups setups) {
     }
     for (const SetupStatistics& setup : setups) {
         const statistics::Setup& s = setup.setup();
-        const bool is_on_one = std::any_of(grids.begin(), grids.end(), [&](const Grid& grid) {
-            const auto has = [](const std::vector<double>& values, double value) {
-                return std::any_of(values.begin(), values.end(),
-                                   [&](double v) { return is_equal(value, v); });
-            };
-            return has(grid.gamma_over_omega, s.gamma_over_omega) &&
-                   has(grid.Et_over_omega, s.Et_over_omega);
-        });
+        const bool is_on_one = std::any_of(grids.begin(), grids.end(),
+                                           [&](const Grid& grid) { return is_on(grid, s); });
         if (!is_on_one) figure.missing.push_back(setup.label + ": not a point of the drawn grids");
     }
     figure.plot.columns = static_cast<int>(grids.size());
@@ -168,7 +181,7 @@ Figure parameter_maps(Setups setups) {
             maps.push_back(&*figure.plot.panels[i].map);
         set_common_range(maps);
     }
-    for (const Grid& grid : grids)
+    for (const Grid& grid : k_grids)
         figure.missing.push_back(
             fmt::format("{}: {} of {} points have runs", grid.name, points_on(grid, setups),
                         grid.gamma_over_omega.size() * grid.Et_over_omega.size()));

@@ -118,6 +118,7 @@ TEST(ParameterMaps, ShowMissingPointsAndThoseOutsideOfTable2OnOneRange) {
     for (const double gamma : {0.5, 1.0})
         for (const double Et : {0.125, 0.5}) runs.push_back(made_up_run(gamma, Et, 1));
     runs.push_back(made_up_run(8, 0.125, 1));  // E = 0.039 kPa
+    runs.push_back(made_up_run(0.75, 0.25, 1));
     const auto setups = group_by_setup(runs);
     const Figure figure = parameter_maps(setups);
     ASSERT_EQ(figure.plot.panels.size(), 6U) << "three measures on two grids";
@@ -133,6 +134,16 @@ TEST(ParameterMaps, ShowMissingPointsAndThoseOutsideOfTable2OnOneRange) {
     EXPECT_NE(corner.mark.find("†"), std::string::npos);
     EXPECT_EQ(broad.values[0].mark, "");
     EXPECT_TRUE(is_said(figure, "broad grid: 5 of 30 points have runs"));
+}
+
+TEST(ParameterMaps, DrawNoSecondGridThatShowsTheSamePoints) {
+    std::vector<statistics::RunStatistics> runs;
+    for (const double gamma : {0.5, 1.0, 2.0})
+        for (const double Et : {0.125, 0.5}) runs.push_back(made_up_run(gamma, Et, 1));
+    const Figure figure = parameter_maps(group_by_setup(runs));
+    EXPECT_EQ(figure.plot.panels.size(), 3U);
+    EXPECT_TRUE(is_said(figure, "broad grid: 6 of 30 points have runs"));
+    EXPECT_TRUE(is_said(figure, "refined grid: 4 of 25 points have runs"));
 }
 
 TEST(ParameterMaps, OfRunsThatAreNoGridAreNotDrawnAndSayWhy) {

@@ -227,24 +227,40 @@ TEST(PairForces, ArePositiveForRepulsionAndNegativeForAdhesion) {
     EXPECT_GT(force_at(0.1, repulsive_law(2.5, 0.3, 0.0)), 0.0);
 }
 
-TEST(StressFromInside, IsTheStressFromContactsWhereAllForcesBalance) {
-    // A force on every node that balances the contacts': what the cell's own terms do at rest.
+TEST(StressFromInside, IsWhatTheOwnTermsCarry) {
+    // By definition: all forces but the contacts', and half of the pairs' own virials.
     MadeUpContacts cells = two_cells();
-    cells.set(push_and_pull());
-    const std::vector<Vec3> at_rest(cells.x_um.size(), Vec3::Zero());
+    const std::vector<MadeUpContacts::Push> pushes = push_and_pull();
+    cells.set(pushes);
+    std::vector<Vec3> force_nN(cells.x_um.size());
+    for (std::size_t i = 0; i < force_nN.size(); ++i) {
+        const double k = static_cast<double>(i);
+        force_nN[i] = Vec3(std::sin(k), std::cos(3.0 * k), std::sin(0.7 * k + 1.0));
+    }
+    std::vector<Vec3> own_nN = force_nN;
+    std::array<double, 2> pair_virial_fJ{};
+    const std::size_t n = force_nN.size() / 2;
+    for (const MadeUpContacts::Push& push : pushes)
+        for (const bool is_a : {true, false})
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int triangle = is_a ? push.triangle_a : push.triangle_b;
+                const auto cell = static_cast<std::size_t>(is_a ? push.cell_a : push.cell_b);
+                const auto& nodes =
+                    cells.model.topology->triangles[static_cast<std::size_t>(triangle)];
+                const std::size_t i = cell * n + static_cast<std::size_t>(nodes[k]);
+                const Vec3 F = (is_a ? push.force_a_nN[k] : -push.force_b_nN[k]) * push.normal;
+                own_nN[i] -= F;
+                for (double& virial : pair_virial_fJ) virial -= F.dot(cells.x_um[i]);
+            }
     const std::vector<double> inside =
-        hydrostatic_stress_from_inside(cells.at(), cells.stress_kPa, at_rest);
-    for (std::size_t c = 0; c < 2; ++c)
-        EXPECT_NEAR(inside[c], cells.stress_kPa[c].trace() / 3.0, 1e-15);
-
-    // A residual force makes the difference that its virial says.
-    std::vector<Vec3> residual = at_rest;
-    residual[50] = Vec3(0.2, -0.1, 0.3);
-    const double change =
-        hydrostatic_stress_from_inside(cells.at(), cells.stress_kPa, residual)[1] - inside[1];
-    const double virial = residual[50].dot(cells.x_um[50] - cells.geometry.centre_um[1]);
-    EXPECT_NEAR(change, -virial / (3.0 * cells.geometry.volume_um3[1]), 1e-15);
-    EXPECT_GT(std::abs(change), 1e-5);
+        hydrostatic_stress_from_inside(cells.at(), cells.stress_kPa, force_nN);
+    for (std::size_t c = 0; c < 2; ++c) {
+        double virial_fJ = 0.5 * pair_virial_fJ[c];
+        for (std::size_t i = c * n; i < (c + 1) * n; ++i)
+            virial_fJ -= own_nN[i].dot(cells.x_um[i] - cells.geometry.centre_um[c]);
+        EXPECT_NEAR(inside[c], virial_fJ / (3.0 * cells.geometry.volume_um3[c]), 1e-12);
+        EXPECT_GT(std::abs(inside[c] - cells.stress_kPa[c].trace() / 3.0), 1e-6);
+    }
 }
 
 }  // namespace

@@ -36,8 +36,7 @@ TEST_P(StepAnatomyOf, AddsUpTermByTermToTheForceOfTheStep) {
     const NodeOfCell node{2, 17};
     const StepAnatomy anatomy = take_apart(system, *method(), state, 1e9, false, node);
     ASSERT_TRUE(anatomy.outcome.accepted);
-    ASSERT_TRUE(std::holds_alternative<StepAnatomy::Evaluation>(anatomy.phases.front()));
-    const StepAnatomy::Evaluation& start = anatomy.start();
+    const auto& start = std::get<StepAnatomy::Evaluation>(anatomy.phases.front());
     EXPECT_EQ(start.moved_um, 0.0);
     EXPECT_GT(start.contact_pairs, 10);
     ASSERT_GE(start.terms.size(), 4U);
