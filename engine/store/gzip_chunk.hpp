@@ -15,7 +15,7 @@ struct GzipChunk {
 };
 
 /// Packs the bytes of values of value_size bytes each (values.size() is a multiple of it). Done
-/// here and not by HDF5, whose own filters take three times as long (zlib; libdeflate is faster).
+/// here and not by HDF5, whose own filters take twice as long (zlib; libdeflate is faster).
 [[nodiscard]] GzipChunk pack_chunk(std::span<const std::byte> values, std::size_t value_size);
 
 }  // namespace spheroscope::hdf5
