@@ -105,12 +105,13 @@ constexpr std::size_t k_most_remarks = 4, k_most_command_lines = 3;
 void add_to_caption(reports::Plot& plot, const std::vector<std::string>& remarks,
                     const cli::Invocation& invocation) {
     const int columns = std::min(plot.columns, static_cast<int>(plot.panels.size()));
-    const auto n = static_cast<std::size_t>(columns) * 80U;
+    const auto n =
+        static_cast<std::size_t>(columns) * 68U;  // characters in the width of the panels
     std::vector<std::string> lines;
     for (const std::string& line : plot.caption)
         for (const std::string& part : lines_of(line, n)) lines.push_back(part);
     for (std::size_t i = 0; i < remarks.size() && i < k_most_remarks; ++i)
-        lines.push_back(lines_of(remarks[i], n).front());
+        for (const std::string& part : lines_of(remarks[i], n)) lines.push_back(part);
     if (remarks.size() > k_most_remarks)
         lines.push_back(
             fmt::format("and {} more remarks in the CSV", remarks.size() - k_most_remarks));

@@ -158,6 +158,7 @@ Plot pull_off_plot(const std::vector<PullOff>& rows) {
     Plot plot;
     plot.title = "Force that parts two cells";
     plot.columns = 1;
+    plot.legend_above = true;
     Plot::Panel panel{"", "E t / \u03b3", "F / \u03c0 R W"};
     panel.series = {measured};
     panel.y_axis.is_logarithmic = false;

@@ -165,7 +165,8 @@ Figure parameter_maps(Setups setups) {
                                            [&](const Grid& grid) { return is_on(grid, s); });
         if (!is_on_one) figure.missing.push_back(setup.label + ": not a point of the drawn grids");
     }
-    figure.plot.columns = static_cast<int>(grids.size());
+    // Grids side by side, or the measures of a single one.
+    figure.plot.columns = static_cast<int>(grids.size() > 1 ? grids.size() : k_quantities.size());
     char letter = 'a';
     for (const Quantity& quantity : k_quantities) {
         for (const Grid& grid : grids) {
