@@ -1,5 +1,5 @@
-// What an engine does for somebody who watches it: looks, changes, a step taken apart. Only a change
-// that was asked for touches the run.
+// What an engine does for somebody who watches it: looks, changes, a step taken apart. Only a
+// change that was asked for touches the run.
 
 #include "engine/run/engine.hpp"
 #include "engine/stages/choices.hpp"
