@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, StepAnatomyOf, testing::ValuesIn([] {
                              for (const MethodRow& row : all_methods()) names.push_back(row.name);
                              return names;
                          }()),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& method_case) { return std::string(method_case.param); });
 
 }  // namespace
 }  // namespace spheroscope::test
