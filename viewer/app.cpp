@@ -129,6 +129,7 @@ AppReport App::run() {
         if (!window_.begin_frame(moves ? k_moving_wait_s : k_still_wait_s)) break;
         const double wall_s = seconds_since(last);
         last = Clock::now();
+        if (model_.wants_draft()) report_.dragged_s += wall_s;
         take_input();
         take_news();
         model_.playback.advance(wall_s, model_.view.now().picture.fps);
@@ -325,6 +326,7 @@ void App::take_picture() {
         (painted->request.view.quality == render::Quality::draft ? report_.draft_s
                                                                  : report_.full_s) =
             painted->took_s;
+        if (model_.wants_draft()) ++report_.dragged_pictures;
         window_.set_picture(painted->image);
         shown_ = std::move(painted);
     }

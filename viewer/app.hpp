@@ -22,6 +22,8 @@ struct AppReport {
     double first_picture_s = -1.0;  ///< wall time from the call; < 0: there was none
     double longest_pick_s = 0.0;
     double draft_s = 0.0, full_s = 0.0;  ///< of the last picture of either quality; 0: none
+    double dragged_s = 0.0;              ///< wall time in which the view was being turned
+    int dragged_pictures = 0;            ///< that were shown in it
     std::vector<std::string> files;      ///< that were written
     std::string copied;                  ///< what went into the clipboard last
 };

@@ -1,6 +1,7 @@
 #include "viewer/live_run.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/base/priority.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@ LiveRun::LiveRun(const scene::Scene& scene, const cli::RunPlace& place,
     : scene_(scene), scene_now_(scene), channel_(on_news) {
     if (begin.paused) channel_.pause();
     thread_ = std::thread([this, place, options, begin, invocation, on_news] {
+        let_other_threads_first();  // a view that is being turned must not wait for the engine
         try {
             summary_ =
                 cli::simulate(scene_, place, options, begin.overwrite, invocation, {}, &channel_);

@@ -37,6 +37,8 @@ nlohmann::json document_of(const viewer::PanelModel& model, const viewer::AppRep
                             {"first_picture_s", report.first_picture_s},
                             {"draft_s", report.draft_s},
                             {"full_s", report.full_s},
+                            {"dragged_s", report.dragged_s},
+                            {"dragged_pictures", report.dragged_pictures},
                             {"longest_pick_s", report.longest_pick_s},
                             {"files", report.files},
                             {"copied", report.copied},

@@ -95,6 +95,8 @@ TEST_F(Panel, ADragTurnsTheViewAndUndoTurnsItBack) {
     EXPECT_EQ(document(turned)["view"].get<std::string>().find("azimuth = \"30 deg\""),
               std::string::npos);
     EXPECT_GT(document(turned)["draft_s"], 0.0);  // it was drawn while it was turned
+    EXPECT_GT(document(turned)["dragged_pictures"], 0);
+    EXPECT_GT(document(turned)["dragged_s"], 0.0);
     const Outcome back = show("out/run.h5", k_drag + "xdotool key ctrl+z; settle\n"
                                                      "xdotool key ctrl+q");
     EXPECT_NE(document(back)["view"].get<std::string>().find("azimuth = \"30 deg\""),
