@@ -36,13 +36,35 @@ const SetupNumber& find_number(const Quantity& quantity, const MeasuredSetups& m
     return *number;
 }
 
-/// Mean and error of a - b or a / b. Of one setup, seed by seed: what a seed does to both does not
-/// count as an error.
-Estimate combined(const SetupNumber& a, const SetupNumber& b, bool is_ratio, bool is_one_setup) {
-    if (is_one_setup && !a.by_run.empty() && a.by_run.size() == b.by_run.size()) {
+/// The values of two numbers in the runs of the same seed. Seeds are comparable where the setups
+/// have as many cells: then the same seed has packed them in the same way.
+struct PairedValues {
+    std::vector<double> a, b;
+};
+
+PairedValues paired(const SetupNumber& a, const MeasuredSetup& of_a, const SetupNumber& b,
+                    const MeasuredSetup& of_b) {
+    PairedValues pairs;
+    if (of_a.n_cells != of_b.n_cells || a.by_run.size() != of_a.runs.size() ||
+        b.by_run.size() != of_b.runs.size())
+        return pairs;
+    for (std::size_t i = 0; i < of_a.runs.size(); ++i)
+        for (std::size_t j = 0; j < of_b.runs.size(); ++j)
+            if (of_a.runs[i].seed == of_b.runs[j].seed) {
+                pairs.a.push_back(a.by_run[i]);
+                pairs.b.push_back(b.by_run[j]);
+            }
+    return pairs;
+}
+
+/// Mean and error of a - b or a / b: seed by seed where both have the same ones, so that what a
+/// seed does to both does not count as an error; else of the two means.
+Estimate combined(const SetupNumber& a, const SetupNumber& b, const PairedValues& pairs,
+                  bool is_ratio) {
+    if (!pairs.a.empty()) {
         std::vector<double> values;
-        for (std::size_t i = 0; i < a.by_run.size(); ++i)
-            values.push_back(is_ratio ? a.by_run[i] / b.by_run[i] : a.by_run[i] - b.by_run[i]);
+        for (std::size_t i = 0; i < pairs.a.size(); ++i)
+            values.push_back(is_ratio ? pairs.a[i] / pairs.b[i] : pairs.a[i] - pairs.b[i]);
         return statistics::mean_over_seeds(values);
     }
     const Estimate &x = a.estimate, &y = b.estimate;
@@ -62,9 +84,12 @@ Estimate combined(const SetupNumber& a, const SetupNumber& b, bool is_ratio, boo
 Estimate value_of(const Claim& claim, const MeasuredSetups& measured) {
     const SetupNumber& number = find_number(claim.measured, measured);
     Estimate value = number.estimate;
-    if (const auto& other = claim.minus ? claim.minus : claim.over)
-        value = combined(number, find_number(*other, measured), claim.over.has_value(),
-                         other->setup == claim.measured.setup);
+    if (const auto& other = claim.minus ? claim.minus : claim.over) {
+        const SetupNumber& compared = find_number(*other, measured);
+        const PairedValues pairs =
+            paired(number, measured.at(claim.measured.setup), compared, measured.at(other->setup));
+        value = combined(number, compared, pairs, claim.over.has_value());
+    }
     value.mean *= claim.factor;
     value.standard_error *= std::abs(claim.factor);
     if (!std::isfinite(value.mean))
@@ -93,6 +118,13 @@ std::string value_text(const Estimate& value) {
     if (std::isnan(value.mean)) return "-";
     if (std::isnan(value.standard_error)) return fmt::format("{:.4g}", value.mean);
     return fmt::format("{:.4g} +- {:.2g}", value.mean, value.standard_error);
+}
+
+/// A number; "-" for NaN.
+reports::TableCell number_cell(double value) {
+    reports::TableCell cell = reports::Missing{"-"};
+    if (!std::isnan(value)) cell = value;
+    return cell;
 }
 
 const MeasuredSetup* setup_of(const JudgedClaim& judged, const MeasuredSetups& measured) {
@@ -152,14 +184,11 @@ reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
     for (const JudgedClaim& row : judged) {
         const Claim& claim = *row.claim;
         const MeasuredSetup* setup = setup_of(row, measured);
-        const auto number = [&](double value) {
-            return std::isnan(value) ? reports::TableCell{none} : reports::TableCell{value};
-        };
         table.rows.push_back(
             {claim.id, claim.source, claim.says, setups_text(claim), number_text(claim),
              claim.unit.empty() ? "1" : claim.unit, claim.paper.text(), claim.tolerance,
-             number(row.value.mean), number(row.value.standard_error), std::int64_t{row.value.n},
-             setup == nullptr ? "" : setup->law,
+             number_cell(row.value.mean), number_cell(row.value.standard_error),
+             std::int64_t{row.value.n}, setup == nullptr ? "" : setup->law,
              setup == nullptr ? reports::TableCell{none} : std::int64_t{setup->n_cells},
              setup == nullptr ? reports::TableCell{none} : std::int64_t{setup->n_nodes},
              std::string(name_of(row.verdict)), row.reason});
@@ -176,11 +205,8 @@ reports::ReportTable runs_report(const MeasuredSetups& measured) {
             std::vector<reports::TableCell> cells{name,        static_cast<std::int64_t>(run.seed),
                                                   run.outcome, run.time_s,
                                                   run.wall_s,  run.version};
-            for (const TotalsRow& row : all_totals()) {
-                const double value = value_of(row, run.totals);
-                cells.push_back(std::isnan(value) ? reports::TableCell{reports::Missing{"-"}}
-                                                  : reports::TableCell{value});
-            }
+            for (const TotalsRow& row : all_totals())
+                cells.push_back(number_cell(value_of(row, run.totals)));
             table.rows.push_back(std::move(cells));
         }
     return table;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -49,10 +50,12 @@ TEST(Judge, LeavesOpenWhatCannotBeDecided) {
     EXPECT_EQ(judge(open, {1.0, 0.1, 5}), Verdict::not_decidable);
 }
 
-MeasuredSetup measured(std::vector<SetupNumber> numbers) {
+MeasuredSetup measured(std::vector<SetupNumber> numbers,
+                       std::vector<std::uint64_t> seeds = {1, 2}) {
     MeasuredSetup setup;
     setup.numbers = std::move(numbers);
-    setup.runs.resize(2);
+    setup.n_cells = 150;
+    for (const std::uint64_t seed : seeds) setup.runs.emplace_back().seed = seed;
     return setup;
 }
 
@@ -106,6 +109,7 @@ above = 0
     EXPECT_EQ(judged[0].verdict, Verdict::agrees);
     EXPECT_EQ(judged[1].value.mean, 20.0);
     EXPECT_EQ(judged[1].value.standard_error, 10.0);
+    EXPECT_EQ(judged[1].value.n, 2);
     EXPECT_TRUE(judged[1].reason.empty());
     EXPECT_EQ(judged[2].verdict, Verdict::no_data);
     EXPECT_NE(judged[2].reason.find("undefined"), std::string::npos);
@@ -115,6 +119,44 @@ above = 0
     MeasuredSetups without = setups;
     without.at("a").numbers.pop_back();
     EXPECT_THROW(static_cast<void>(judge_claims(table, without)), Error);
+}
+
+TEST(JudgeClaims, ComparesSetupsByTheSeedsThatBothHave) {
+    const ClaimTable table = parse_claims(R"(
+[[setup]]
+name = "long"
+scene = "a.toml"
+seeds = [1, 2, 3]
+[[setup]]
+name = "short"
+scene = "b.toml"
+seeds = [2, 3]
+[[claim]]
+id = "same"
+source = "s"
+says = "t"
+setup = "short"
+number = "x"
+over = { setup = "long" }
+is = 1
+)",
+                                          "t.claims");
+    MeasuredSetups setups{{"long", measured({number("x", {9.0, 2.0, 4.0})}, {1, 2, 3})},
+                          {"short", measured({number("x", {4.0, 2.0})}, {3, 2})}};
+    // Seeds 2 and 3 have the same in both; the scatter from seed to seed is not an error.
+    auto value = judge_claims(table, setups)[0].value;
+    EXPECT_EQ(value.mean, 1.0);
+    EXPECT_EQ(value.standard_error, 0.0);
+    EXPECT_EQ(value.n, 2);
+    // With another number of cells a seed packs them otherwise: the two means are compared.
+    setups.at("short").n_cells = 75;
+    value = judge_claims(table, setups)[0].value;
+    EXPECT_EQ(value.mean, 3.0 / 5.0);
+    EXPECT_GT(value.standard_error, 0.3);
+    // As where no seed is in both.
+    setups.at("short").n_cells = 150;
+    for (MeasuredRun& run : setups.at("short").runs) run.seed += 10;
+    EXPECT_EQ(judge_claims(table, setups)[0].value.mean, 3.0 / 5.0);
 }
 
 TEST(PaperClaims, HaveScenesThatLoad) {
