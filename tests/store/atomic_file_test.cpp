@@ -91,8 +91,8 @@ class JournalTest : public AtomicFileTest {
         samples::write_bytes(AtomicFile::journal_path(path_), journal);
     }
 
-    std::string before_ = "old" + std::string(5000, '.');
-    std::string after_ = "new" + std::string(5000, '.');
+    std::string before_ = std::string("old").append(5000, '.');
+    std::string after_ = std::string("new").append(5000, '.');
     std::string journal_;
 };
 
