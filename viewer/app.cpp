@@ -32,6 +32,8 @@ double seconds_since(Clock::time_point begin) {
 }
 
 constexpr double k_moving_wait_s = 1.0 / 60.0, k_still_wait_s = 0.1;
+/// While the view is turned the window is drawn with each new picture, and at least this often.
+constexpr double k_turning_draw_s = 0.1;
 /// The survey goes on in another thread; copies of it are made this often.
 constexpr double k_survey_every_s = 0.2;
 
@@ -86,7 +88,8 @@ class App {
     void pick_at(const Sight& sight);
     void take_news();
     void request_picture();
-    void take_picture();
+    /// Whether there was a new one.
+    bool take_picture();
     void save_wanted_picture();
     void write_image(const std::string& name, const render::Image& image,
                      const render::PngTexts& texts);
@@ -112,6 +115,7 @@ class App {
     int n_requests_ = 0;
     std::vector<double> recorded_range_;
     std::int64_t logged_step_ = -1;
+    Clock::time_point drawn_at_{};
     bool knows_end_ = false;
     std::optional<PaintedPicture> shown_;
     SnapshotPtr curves_of_;
@@ -133,11 +137,21 @@ AppReport App::run() {
         take_input();
         take_news();
         model_.playback.advance(wall_s, model_.view.now().picture.fps);
+        // The engine's steps would take what turning the view needs.
+        if (live_ != nullptr) live_->channel().hold(model_.wants_draft());
         request_picture();
-        take_picture();
+        const bool has_new_picture = take_picture();
         draw_panels();
         record_range();
-        window_.end_frame();
+        // Each motion of the mouse comes here. Where no graphics card draws the window, drawing it
+        // for every one would take from the picture that is waited for.
+        if (has_new_picture || saves_panel_ || !model_.wants_draft() ||
+            seconds_since(drawn_at_) > k_turning_draw_s) {
+            window_.draw();
+            drawn_at_ = Clock::now();
+        } else {
+            window_.skip_drawing();
+        }
         if (std::exchange(saves_panel_, false)) write_image("panel", window_.panel(), {});
     }
     return report_;
@@ -317,7 +331,8 @@ void App::request_picture() {
     requested_ = std::move(wanted);
 }
 
-void App::take_picture() {
+bool App::take_picture() {
+    bool is_new = false;
     if (std::optional<PaintedPicture> painted = painter_.take()) {
         if (!shown_) {
             report_.first_picture_s = seconds_since(begin_);
@@ -329,8 +344,9 @@ void App::take_picture() {
         if (model_.wants_draft()) ++report_.dragged_pictures;
         window_.set_picture(painted->image);
         shown_ = std::move(painted);
+        is_new = true;
     }
-    if (!shown_) return;
+    if (!shown_) return false;
     const SnapshotPtr& snapshot = shown_->request.snapshot;
     if (snapshot != curves_of_) {
         curves_of_ = snapshot;
@@ -338,6 +354,7 @@ void App::take_picture() {
         force_distribution_ = viewer::force_distribution(*snapshot);
     }
     save_wanted_picture();
+    return is_new;
 }
 
 /// Saves what is on show as soon as it is what was asked for, in full quality and with what all

@@ -174,7 +174,9 @@ bool Window::begin_frame(double longest_wait_s) {
     return true;
 }
 
-void Window::end_frame() {
+void Window::skip_drawing() { ImGui::EndFrame(); }
+
+void Window::draw() {
     ImGui::Render();
     int width = 0, height = 0;
     glfwGetFramebufferSize(hidden_->window.get(), &width, &height);

@@ -29,7 +29,9 @@ class Window {
     /// Waits for input, for wake() or for this time; then begins a frame of the panel. False: the
     /// window is being closed.
     [[nodiscard]] bool begin_frame(double longest_wait_s);
-    void end_frame();
+    /// Ends the frame: on the screen, or with nothing but its input taken.
+    void draw();
+    void skip_drawing();
     /// Ends the wait of begin_frame; from any thread.
     static void wake();
 

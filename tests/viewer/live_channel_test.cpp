@@ -99,6 +99,22 @@ TEST(AQuestionAboutTheNextStep, IsAnsweredInAPauseWithoutMakingTheStep) {
     EXPECT_TRUE(comes_true([&] { return engine.n_steps == paused_at + 1; }));
 }
 
+TEST(AHold, StopsTheEngineAndNothingElse) {
+    LiveChannel channel([] {});
+    CountingEngine engine(channel);
+    channel.hold(true);
+    const int held_at = steps_at_rest(engine);
+    EXPECT_FALSE(channel.is_paused());
+    channel.step();  // a pause was asked for, and one step in it
+    EXPECT_EQ(steps_at_rest(engine), held_at);
+    channel.hold(false);
+    EXPECT_TRUE(comes_true([&] { return engine.n_steps == held_at + 1; }));
+    EXPECT_EQ(steps_at_rest(engine), held_at + 1);
+    channel.play();
+    EXPECT_TRUE(comes_true([&] { return engine.n_steps > held_at + 20; }));
+    channel.hold(true);  // and the panel is closed
+}
+
 TEST(APause, EndsWhenThePanelIsClosed) {
     LiveChannel channel([] {});
     CountingEngine engine(channel);

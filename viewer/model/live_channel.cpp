@@ -52,6 +52,13 @@ void LiveChannel::look_into_step(std::optional<NodeOfCell> node) {
     woken_.notify_all();
 }
 
+void LiveChannel::hold(bool is_held) {
+    const std::lock_guard lock(mutex_);
+    if (is_held_ == is_held) return;
+    is_held_ = is_held;
+    woken_.notify_all();
+}
+
 void LiveChannel::stop() {
     const std::lock_guard lock(mutex_);
     is_stopped_ = true;
@@ -121,7 +128,8 @@ void LiveChannel::frame(SnapshotPtr frame) {
 bool LiveChannel::go_on(const std::atomic<bool>& stop) {
     std::unique_lock lock(mutex_);
     const auto waits = [&] {
-        return is_paused_ && steps_left_ == 0 && !question_ && !is_stopped_ && !stop.load();
+        const bool has_work = !is_paused_ || steps_left_ > 0 || question_;
+        return (is_held_ || !has_work) && !is_stopped_ && !stop.load();
     };
     if (waits()) pace_.interrupt();
     while (waits()) woken_.wait_for(lock, k_signal_latency);

@@ -27,6 +27,9 @@ class LiveChannel final : public LiveControl {
     void step();
     /// Plays until something happens to what is watched, then a pause (viewer/model/live_events).
     void run_until_event(const Watched& watched);
+    /// While held the engine makes no further step: the processors are for drawing then. Not a
+    /// pause: nothing that is shown or asked for changes by it.
+    void hold(bool is_held);
     /// Ends the run, with a checkpoint, also out of a pause.
     void stop();
     /// Replaces an order of the same key that the engine has not taken yet.
@@ -67,7 +70,7 @@ class LiveChannel final : public LiveControl {
     std::mutex mutex_;
     std::condition_variable woken_;
     // guarded by mutex_
-    bool is_paused_ = false, is_stopped_ = false;
+    bool is_paused_ = false, is_held_ = false, is_stopped_ = false;
     int steps_left_ = 0;  // in a pause
     bool seeks_event_ = false;
     Watched watched_;
