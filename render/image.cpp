@@ -1,5 +1,6 @@
 #include "render/image.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spheroscope::render {
@@ -13,6 +14,20 @@ Image::Image(int width_px, int height_px, Rgb fill) : width(width_px), height(he
         rgb[3 * i + 1] = fill.g;
         rgb[3 * i + 2] = fill.b;
     }
+}
+
+Image enlarged(const Image& image, int n, int width_px, int height_px) {
+    Image large(width_px, height_px);
+    for (int y = 0; y < height_px; ++y) {
+        std::uint8_t* const row = large.rgb.data() + large.offset(0, y);
+        if (y % n > 0) {
+            std::copy_n(large.rgb.data() + large.offset(0, y - 1), 3 * width_px, row);
+            continue;
+        }
+        for (int x = 0; x < width_px; ++x)
+            std::copy_n(image.rgb.data() + image.offset(x / n, y / n), 3, row + 3 * x);
+    }
+    return large;
 }
 
 Rgb mix(Rgb a, Rgb b, double share) {

@@ -37,6 +37,10 @@ struct Image {
     bool operator==(const Image&) const = default;
 };
 
+/// Each pixel n x n times, cut at this width and height. Precondition: n times the image covers
+/// them.
+[[nodiscard]] Image enlarged(const Image& image, int n, int width_px, int height_px);
+
 /// (1 - share) * a + share * b, share in 0..1.
 [[nodiscard]] Rgb mix(Rgb a, Rgb b, double share);
 

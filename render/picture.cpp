@@ -25,6 +25,7 @@ namespace spheroscope::render {
 namespace {
 
 constexpr double k_filled_share = 0.87;  // of the picture's height by the aggregate's extent
+constexpr int k_coarse_px = 2;           // of a picture to each side, for one that is drawn
 constexpr int k_smallest_side = 64, k_largest_side = 4096;
 
 Vec3 point(const std::vector<float>& values, std::size_t i) {
@@ -276,12 +277,17 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
 Image Renderer::draw(const Snapshot& snapshot, const View& view) {
     Hidden& h = *hidden_;
     const int n_samples = view.quality == Quality::full ? most_samples(h.picture) : 1;
-    h.context.set_size(n_samples * h.picture.size_px[0], n_samples * h.picture.size_px[1]);
+    const int enlargement = view.quality == Quality::coarse ? k_coarse_px : 1;
+    const auto drawn_side = [&](int px) {
+        return (n_samples * px + enlargement - 1) / enlargement;
+    };
+    h.context.set_size(drawn_side(h.picture.size_px[0]), drawn_side(h.picture.size_px[1]));
     const Camera final_camera = camera(snapshot, view);
     Camera drawn_camera = final_camera;
-    drawn_camera.px_per_um *= n_samples;
-    drawn_camera.centre_x_px *= n_samples;
-    drawn_camera.centre_y_px *= n_samples;
+    const double drawn_per_final = static_cast<double>(n_samples) / enlargement;
+    drawn_camera.px_per_um *= drawn_per_final;
+    drawn_camera.centre_x_px *= drawn_per_final;
+    drawn_camera.centre_y_px *= drawn_per_final;
     const double reach_um = 1.05 * drawn_extent_um(snapshot);
 
     Furniture furniture;
@@ -312,6 +318,8 @@ Image Renderer::draw(const Snapshot& snapshot, const View& view) {
     if (draws_axes) h.draw_stress_axes(snapshot, cells, drawn_camera, reach_um, furniture);
     if (draws_network) h.draw_network(snapshot, drawn_camera, reach_um, cutaway, furniture);
     Image image = make_image(h.cells_drawn, n_samples, drawn_camera.px_per_um);
+    if (enlargement > 1)
+        image = enlarged(image, enlargement, h.picture.size_px[0], h.picture.size_px[1]);
     draw_furniture(image, h.text, furniture);
     return image;
 }

@@ -17,8 +17,9 @@ namespace spheroscope::render {
 [[nodiscard]] bool shows_field(const Snapshot& snapshot);
 
 /// How a picture is drawn: `full` is what movies have; `draft` has one drawn pixel for each of the
-/// picture, jagged edges and less than half the time, for views that are being turned by hand.
-enum class Quality { full, draft };
+/// picture and jagged edges, for frames that follow each other; `coarse` one for four, for views
+/// that are being turned by hand. Writing is the same in all.
+enum class Quality { full, draft, coarse };
 
 /// What changes from frame to frame besides the snapshot.
 struct View {

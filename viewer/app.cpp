@@ -319,11 +319,12 @@ void App::request_picture() {
     SnapshotPtr snapshot = wanted_snapshot();
     if (snapshot == nullptr) return;  // the one on show stays until it is there
     const int n_frames = model_.playback.n_frames();
-    Wanted wanted{
-        std::move(snapshot), model_.view.now(), survey_.n_frames() == n_frames ? n_frames : 0,
-        // While the engine runs, speed matters more than smooth edges.
-        model_.wants_draft() || (model_.shows_engine() && engine_runs()) ? render::Quality::draft
-                                                                         : render::Quality::full};
+    Wanted wanted{std::move(snapshot), model_.view.now(),
+                  survey_.n_frames() == n_frames ? n_frames : 0,
+                  // While the engine runs, speed matters more than smooth edges.
+                  model_.wants_draft()                     ? render::Quality::coarse
+                  : model_.shows_engine() && engine_runs() ? render::Quality::draft
+                                                           : render::Quality::full};
     if (wanted == requested_) return;
     render::View view = survey_.view_of(*wanted.snapshot, wanted.view.picture, n_frames);
     view.quality = wanted.quality;
@@ -338,8 +339,8 @@ bool App::take_picture() {
             report_.first_picture_s = seconds_since(begin_);
             spdlog::info("first picture after {:.2f} s", report_.first_picture_s);
         }
-        (painted->request.view.quality == render::Quality::draft ? report_.draft_s
-                                                                 : report_.full_s) =
+        (painted->request.view.quality == render::Quality::full ? report_.full_s
+                                                                : report_.draft_s) =
             painted->took_s;
         if (model_.wants_draft()) ++report_.dragged_pictures;
         window_.set_picture(painted->image);

@@ -75,6 +75,33 @@ TEST(Picture, IsTheSameBitsTwice) {
     EXPECT_FALSE(a == first.render(*snapshot, {})) << "the comparison can fail";
 }
 
+TEST(Picture, InLowerQualityHasTheSameViewAndTheSameWriting) {
+    const auto snapshot = make_aggregate(13, 162);
+    scene::Picture picture = make_picture("mean_stress");
+    picture.size_px = {641, 363};  // not twice a number
+    Renderer renderer(snapshot->header, picture);
+    View view;
+    const Image full = renderer.render(*snapshot, view);
+    const int keys = 641 - static_cast<int>(key_column_px(363, true, false));
+    for (const Quality quality : {Quality::draft, Quality::coarse}) {
+        view.quality = quality;
+        const Image image = renderer.render(*snapshot, view);
+        ASSERT_EQ(image.width, full.width);
+        ASSERT_EQ(image.height, full.height);
+        int n_far = 0, n_other_writing = 0;
+        for (int y = 0; y < full.height; ++y)
+            for (int x = 0; x < full.width; ++x) {
+                n_far += distance(image.at(x, y), full.at(x, y)) > 24 ? 1 : 0;
+                n_other_writing += x > keys && !(image.at(x, y) == full.at(x, y)) ? 1 : 0;
+            }
+        EXPECT_EQ(n_other_writing, 0);
+        EXPECT_GT(n_far, 0);  // edges are not smooth
+        EXPECT_LT(n_far, full.width * full.height / 12);
+    }
+    view.quality = Quality::full;
+    EXPECT_TRUE(renderer.render(*snapshot, view) == full);  // drafts leave nothing behind
+}
+
 TEST(Picture, PulledApartHasRoomBetweenCellsAndKeepsThemInside) {
     const std::vector<Vec3> centres{{0, -10, 0}, {0, 10, 0}};
     const auto snapshot = make_balls(make_header(2, 162), centres, 9.0);
