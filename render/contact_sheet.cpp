@@ -8,7 +8,6 @@
 #include "render/line_chart.hpp"
 #include "render/movie_writer.hpp"
 #include "render/osmesa_context.hpp"
-#include "render/png.hpp"
 #include "render/range.hpp"
 #include "render/strokes.hpp"
 #include "render/text.hpp"
@@ -57,10 +56,6 @@ std::string minus_sign(std::string text) {
     return text;
 }
 
-std::string pair_text(const inspect::ContactStory& story) {
-    return fmt::format("{}-{}", story.key.cell_a, story.key.cell_b);
-}
-
 /// "A", "B" and what is left of a picture when both are pulled apart.
 struct PulledApart {
     Snapshot cells;                                   ///< two cells
@@ -73,29 +68,37 @@ struct PulledApart {
 }  // namespace
 
 struct ContactSheet::Hidden {
-    const inspect::ContactStory& story;
+    std::shared_ptr<const RunHeader> header;
+    inspect::ContactKey key;
+    std::vector<ContactSummary> history;
+    ContactSummary drawn_summary;
     std::shared_ptr<RunHeader> pair_header;
     double largest_Pa = 0.0;
     double map_half_um = 1.0;  ///< half a side of the map
-    OsmesaContext context;     // before the surfaces: they are destroyed first
+    double largest_seen_Pa = 0.0, largest_area_um2 = 0.0;
+    OsmesaContext context;  // before the surfaces: they are destroyed first
     CellSurfaces surfaces;
     TextPainter text;
     Buffers drawn;
 
-    explicit Hidden(const inspect::ContactStory& s)
-        : story(s), context(k_n_samples * k_view_width, k_n_samples * k_view_height) {
+    Hidden(std::shared_ptr<const RunHeader> run, const inspect::ContactKey& contact)
+        : header(std::move(run)), key(contact),
+          context(k_n_samples * k_view_width, k_n_samples * k_view_height) {
         pair_header = std::make_shared<RunHeader>();
-        pair_header->topology = s.header->topology;
+        pair_header->topology = header->topology;
         pair_header->n_cells = 2;
-        double area_um2 = 0.0;
-        for (const ContactSummary& row : s.history) {
-            if (!row.exists || row.is_seeding) continue;
-            largest_Pa = std::max({largest_Pa, k_Pa_per_kPa * std::abs(row.sigma_nn_low_kPa),
-                                   k_Pa_per_kPa * std::abs(row.sigma_nn_high_kPa)});
-            area_um2 = std::max(area_um2, row.area_um2);
-        }
-        largest_Pa = nice_ceil(std::max(1.0, largest_Pa));
-        map_half_um = 1.55 * std::sqrt(std::max(0.1, area_um2) / std::numbers::pi);
+        set_ranges();
+    }
+
+    void make_room_for(const ContactSummary& row) {
+        if (!row.exists || row.is_seeding) return;
+        largest_seen_Pa = std::max({largest_seen_Pa, k_Pa_per_kPa * std::abs(row.sigma_nn_low_kPa),
+                                    k_Pa_per_kPa * std::abs(row.sigma_nn_high_kPa)});
+        largest_area_um2 = std::max(largest_area_um2, row.area_um2);
+    }
+    void set_ranges() {
+        largest_Pa = nice_ceil(std::max(1.0, largest_seen_Pa));
+        map_half_um = 1.55 * std::sqrt(std::max(0.1, largest_area_um2) / std::numbers::pi);
     }
 
     [[nodiscard]] Rgb colour(double sigma_Pa) const {
@@ -114,7 +117,7 @@ struct ContactSheet::Hidden {
     void draw_bar(const std::optional<ContactReport>& report, Image& image);
     void draw_numbers(const ContactSummary& summary, const std::optional<ContactReport>& report,
                       Image& image);
-    void draw_charts(int frame, const std::optional<ContactReport>& report, Image& image);
+    void draw_charts(double time_s, const std::optional<ContactReport>& report, Image& image);
 };
 
 PulledApart ContactSheet::Hidden::pull_apart(const Snapshot& frame,
@@ -122,11 +125,11 @@ PulledApart ContactSheet::Hidden::pull_apart(const Snapshot& frame,
     const MeshTopology& mesh = *pair_header->topology;
     PulledApart pair;
     pair.cells.header = pair_header;
-    const std::array<int, 2> cells{story.key.cell_a, story.key.cell_b};
+    const std::array<int, 2> cells{key.cell_a, key.cell_b};
     std::array<Vec3, 2> centre;
     for (std::size_t c = 0; c < 2; ++c) {
         centre[c] = point(frame.centre_um, idx(cells[c]));
-        pair.radius_sum_um += double{story.header->radius_um[idx(cells[c])]};
+        pair.radius_sum_um += double{header->radius_um[idx(cells[c])]};
     }
     pair.normal = report ? report->normal : Vec3((centre[0] - centre[1]).normalized());
     pair.side = report ? report->u : pair.normal.unitOrthogonal();
@@ -212,17 +215,17 @@ void ContactSheet::Hidden::draw_view(const PulledApart& pair, bool shows_a, Imag
     const int y = k_view_y[c];
     paste(view, k_view_x, y, image);
     write(image, k_view_x, y - 14.0,
-          fmt::format("Face of cell {} ({}), contact outlined",
-                      shows_a ? story.key.cell_a : story.key.cell_b, shows_a ? "A" : "B"),
+          fmt::format("Face of cell {} ({}), contact outlined", shows_a ? key.cell_a : key.cell_b,
+                      shows_a ? "A" : "B"),
           19.0, k_ink, Anchor::left, FontStyle::bold);
     write(image, k_view_x + k_view_width, y + 14.0, "grey: no contact of A and B", 14.0, k_soft_ink,
           Anchor::right);
     for (std::size_t cell = 0; cell < 2; ++cell) {
         const Camera::Pixel p = camera.project(pair.centre_um[cell]);
-        write(image, k_view_x + p.x, y + k_view_height + 16.0,
-              fmt::format("{} = cell {}", cell == 0 ? "A" : "B",
-                          cell == 0 ? story.key.cell_a : story.key.cell_b),
-              16.0, k_soft_ink, Anchor::middle);
+        write(
+            image, k_view_x + p.x, y + k_view_height + 16.0,
+            fmt::format("{} = cell {}", cell == 0 ? "A" : "B", cell == 0 ? key.cell_a : key.cell_b),
+            16.0, k_soft_ink, Anchor::middle);
     }
 }
 
@@ -343,7 +346,7 @@ void ContactSheet::Hidden::draw_numbers(const ContactSummary& summary,
     line("law, nodes per cell", fmt::format("{}, {}", report->law, report->mesh_nodes));
 }
 
-void ContactSheet::Hidden::draw_charts(int frame, const std::optional<ContactReport>& report,
+void ContactSheet::Hidden::draw_charts(double time_s, const std::optional<ContactReport>& report,
                                        Image& image) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     LineChart profile;
@@ -367,46 +370,53 @@ void ContactSheet::Hidden::draw_charts(int frame, const std::optional<ContactRep
     draw_line_chart(image, text, profile, k_map_x - 20.0, k_charts_y, k_map_x + k_map_side + 10.0,
                     k_charts_y1);
 
-    const auto history = [&](const char* title, const char* unit, double ContactSummary::*member,
+    const auto chart_of = [&](const char* title, const char* unit, double ContactSummary::*member,
                              double y0, double y1) {
         LineChart chart;
         chart.title = title;
         chart.x_title = "t, s";
         chart.y_title = unit;
         LineChart::Series series{"", {0, 114, 178}, {}, {}, false};
-        for (const ContactSummary& row : story.history) {
+        for (const ContactSummary& row : history) {
             if (row.is_seeding) continue;
             series.x.push_back(row.time_s);
             series.y.push_back(row.exists ? row.*member : nan);
         }
         chart.series = {series};
-        chart.cursor = story.history[idx(frame)].time_s;
+        chart.cursor = time_s;
         draw_line_chart(image, text, chart, k_numbers_x - 20.0, y0, k_width_px - 20.0, y1);
     };
-    history("Normal force", "nN", &ContactSummary::normal_force_nN, 590.0, 790.0);
-    history("Area", "µm²", &ContactSummary::area_um2, 790.0, k_charts_y1);
+    chart_of("Normal force", "nN", &ContactSummary::normal_force_nN, 590.0, 790.0);
+    chart_of("Area", "µm²", &ContactSummary::area_um2, 790.0, k_charts_y1);
 }
 
-ContactSheet::ContactSheet(const inspect::ContactStory& story)
-    : hidden_(std::make_unique<Hidden>(story)) {}
+ContactSheet::ContactSheet(std::shared_ptr<const RunHeader> header, const inspect::ContactKey& key)
+    : hidden_(std::make_unique<Hidden>(std::move(header), key)) {}
 
 ContactSheet::~ContactSheet() = default;
 
-double ContactSheet::largest_pressure_Pa() const { return hidden_->largest_Pa; }
-
-Image ContactSheet::draw(int frame) {
+void ContactSheet::set_history(std::vector<ContactSummary> history) {
     Hidden& h = *hidden_;
-    const inspect::ContactStory::Moment moment = h.story.at(frame);
-    const ContactSummary& summary = h.story.history[idx(frame)];
+    h.history = std::move(history);
+    h.largest_seen_Pa = h.largest_area_um2 = 0.0;
+    for (const ContactSummary& row : h.history) h.make_room_for(row);
+}
+
+Image ContactSheet::draw(const inspect::ContactMoment& moment) {
+    Hidden& h = *hidden_;
+    const ContactSummary& summary = moment.summary;
+    h.make_room_for(summary);
+    h.set_ranges();
+    h.drawn_summary = summary;
     Image image(k_width_px, k_height_px, k_white);
-    h.write(image, k_view_x, 52.0,
-            fmt::format("Contact {}\u2013{}", h.story.key.cell_a, h.story.key.cell_b), 32.0, k_ink,
-            Anchor::left, FontStyle::bold);
+    h.write(image, k_view_x, 52.0, fmt::format("Contact {}\u2013{}", h.key.cell_a, h.key.cell_b),
+            32.0, k_ink, Anchor::left, FontStyle::bold);
     h.write(image, k_view_x, 88.0,
             fmt::format("{}   {}   frame {} of {}", moment.frame->stage_name,
-                        time_text(moment.frame->time_s, 2), frame, h.story.history.size()),
+                        time_text(summary.time_s, 2), summary.frame,
+                        std::max(h.history.size(), idx(summary.frame) + 1)),
             20.0);
-    const RunHeader& run = *h.story.header;
+    const RunHeader& run = *h.header;
     h.write(image, k_width_px - 30.0, 52.0, run.title.empty() ? run.scene_name : run.title, 20.0,
             k_ink, Anchor::right);
     h.write(image, k_width_px - 30.0, 82.0, fmt::format("{}, seed {}", run.scene_name, run.seed),
@@ -417,24 +427,29 @@ Image ContactSheet::draw(int frame) {
     h.draw_map(moment.report, image);
     h.draw_bar(moment.report, image);
     h.draw_numbers(summary, moment.report, image);
-    h.draw_charts(frame, moment.report, image);
+    h.draw_charts(summary.time_s, moment.report, image);
     return image;
+}
+
+PngTexts ContactSheet::texts(const std::string& made_by, const std::string& command) const {
+    const Hidden& h = *hidden_;
+    const RunHeader& run = *h.header;
+    return {{"Title", "Contact " + h.key.text() + ", " + run.title},
+            {"Software", "spheroscope " + made_by},
+            {"Command", command},
+            {"Scene", run.resolved_scene},
+            {"Seed", std::to_string(run.seed)},
+            {"Frame", std::to_string(h.drawn_summary.frame)},
+            {"Time", fmt::format("{} s", h.drawn_summary.time_s)},
+            {"Range", fmt::format("{} ... {} Pa", -h.largest_Pa, h.largest_Pa)}};
 }
 
 void write_contact_sheet(const inspect::ContactStory& story, int frame,
                          const std::filesystem::path& png) {
-    ContactSheet sheet(story);
-    const RunHeader& run = *story.header;
-    write_png(png, sheet.draw(frame),
-              {{"Title", "Contact " + pair_text(story) + ", " + run.title},
-               {"Software", "spheroscope " + story.made_by},
-               {"Command", story.command_line},
-               {"Scene", run.resolved_scene},
-               {"Seed", std::to_string(run.seed)},
-               {"Frame", std::to_string(frame)},
-               {"Time", fmt::format("{} s", story.history[idx(frame)].time_s)},
-               {"Range", fmt::format("{} ... {} Pa", -sheet.largest_pressure_Pa(),
-                                     sheet.largest_pressure_Pa())}});
+    ContactSheet sheet(story.header, story.key);
+    sheet.set_history(story.history);
+    const Image image = sheet.draw(story.at(frame));
+    write_png(png, image, sheet.texts(story.made_by, story.command_line));
 }
 
 void write_contact_movie(const inspect::ContactStory& story, const std::filesystem::path& mp4) {
@@ -443,12 +458,13 @@ void write_contact_movie(const inspect::ContactStory& story, const std::filesyst
     settings.width_px = ContactSheet::k_width_px;
     settings.height_px = ContactSheet::k_height_px;
     settings.fps = 12.0;
-    settings.title = "Contact " + pair_text(story) + ", " + story.header->title;
+    settings.title = "Contact " + story.key.text() + ", " + story.header->title;
     settings.comment = "spheroscope " + story.made_by + ": " + story.command_line;
     MovieWriter writer(settings);
-    ContactSheet sheet(story);
+    ContactSheet sheet(story.header, story.key);
+    sheet.set_history(story.history);
     for (const ContactSummary& row : story.history)
-        if (!row.is_seeding) writer.add(sheet.draw(row.frame));
+        if (!row.is_seeding) writer.add(sheet.draw(story.at(row.frame)));
     writer.finish();
 }
 

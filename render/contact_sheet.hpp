@@ -2,9 +2,12 @@
 
 #include "engine/inspect/contact_story.hpp"
 #include "render/image.hpp"
+#include "render/png.hpp"
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace spheroscope::render {
 
@@ -22,13 +25,17 @@ class ContactSheet {
   public:
     static constexpr int k_width_px = 1600, k_height_px = 1000;
 
-    /// Throws Error (environment) when there is no OpenGL. The story must outlive the sheet.
-    explicit ContactSheet(const inspect::ContactStory& story);
+    /// Throws Error (environment) when there is no OpenGL.
+    ContactSheet(std::shared_ptr<const RunHeader> header, const inspect::ContactKey& key);
     ~ContactSheet();
 
-    [[nodiscard]] Image draw(int frame);
-    /// Half of the range of the pressure's colours, which is symmetric about zero, Pa.
-    [[nodiscard]] double largest_pressure_Pa() const;
+    /// What the charts show, and what the ranges are from. Ascending by frames; some may be
+    /// missing.
+    void set_history(std::vector<inspect::ContactSummary> history);
+    /// A moment whose numbers are beyond the history's makes the ranges wider from now on.
+    [[nodiscard]] Image draw(const inspect::ContactMoment& moment);
+    /// For the texts of a file with the sheet that was drawn last.
+    [[nodiscard]] PngTexts texts(const std::string& made_by, const std::string& command) const;
 
   private:
     struct Hidden;

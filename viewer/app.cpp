@@ -2,6 +2,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/inspect/contact_history.hpp"
 #include "engine/run/exploded.hpp"
 #include "render/png.hpp"
 #include "render/provenance.hpp"
@@ -51,6 +52,7 @@ std::optional<Key> key_of(int glfw_key) {
     case GLFW_KEY_C: return Key::c;
     case GLFW_KEY_I: return Key::i;
     case GLFW_KEY_N: return Key::n;
+    case GLFW_KEY_O: return Key::o;
     case GLFW_KEY_P: return Key::p;
     case GLFW_KEY_Q: return Key::q;
     case GLFW_KEY_T: return Key::t;
@@ -87,6 +89,9 @@ class App {
     [[nodiscard]] SnapshotPtr wanted_snapshot();
     void pick_at(const Sight& sight);
     void take_news();
+    /// Watches the contact that is open, and takes what has become known of its history.
+    void follow_contact();
+    void go_to_event(Action action);
     void request_picture();
     /// Whether there was a new one.
     bool take_picture();
@@ -109,6 +114,8 @@ class App {
         ViewSettings view;
         int n_surveyed = -1;
         render::Quality quality = render::Quality::full;
+        std::optional<inspect::ContactKey> contact = {};
+        ContactRows history = nullptr;
         bool operator==(const Wanted&) const = default;
     };
     Wanted requested_;
@@ -120,6 +127,8 @@ class App {
     std::optional<PaintedPicture> shown_;
     SnapshotPtr curves_of_;
     Curve radial_stress_, force_distribution_;
+    std::optional<inspect::ContactKey> watched_;
+    ContactRows contact_history_;
     bool saves_picture_ = false, saves_panel_ = false;
     std::string status_;
     AppReport report_;
@@ -137,6 +146,7 @@ AppReport App::run() {
         take_input();
         take_news();
         model_.playback.advance(wall_s, model_.view.now().picture.fps);
+        follow_contact();
         // The engine's steps would take what turning the view needs.
         if (live_ != nullptr) live_->channel().hold(model_.wants_draft());
         request_picture();
@@ -226,6 +236,8 @@ void App::act(Action action) {
                               describe(*shown_->request.snapshot, *model_.selection)),
                      "the table");
             break;
+        case Action::event_before:
+        case Action::event_after: go_to_event(*left); break;
         case Action::bookmark:
             write_bookmarks(bookmarks_path(settings_.run_file), model_.bookmarks);
             model_.message = "bookmarked in " + bookmarks_path(settings_.run_file);
@@ -235,6 +247,46 @@ void App::act(Action action) {
     } catch (const Error& error) {
         model_.message = error.what();
     }
+}
+
+void App::follow_contact() {
+    try {
+        if (watched_ != model_.contact) {
+            watched_ = model_.contact;
+            frames_.watch_contact(model_.contact);
+            model_.message =
+                watched_ ? fmt::format("contact {}; O leads back to all cells", watched_->text())
+                         : "";
+        }
+        contact_history_ = frames_.contact_history();
+    } catch (const Error& error) {
+        model_.message = error.what();
+        model_.contact.reset();
+        watched_.reset();
+        contact_history_ = nullptr;
+        frames_.watch_contact({});
+    }
+}
+
+void App::go_to_event(Action action) {
+    if (contact_history_ == nullptr) {
+        model_.message = "no contact is open: O opens the one that is picked";
+        return;
+    }
+    const std::vector<inspect::ContactEvent> events = inspect::find_events(*contact_history_);
+    const int frame = model_.playback.frame();
+    const inspect::ContactEvent* const event = action == Action::event_before
+                                                   ? inspect::previous_event(events, frame)
+                                                   : inspect::next_event(events, frame);
+    if (event == nullptr) {
+        model_.message = action == Action::event_before
+                             ? "no event of this contact before this frame"
+                             : "no event of this contact after this frame";
+        return;
+    }
+    model_.playback.go_to(event->frame);
+    model_.message = fmt::format("contact {}: {} at {:.4g} s", watched_->text(),
+                                 inspect::name_of(event->kind), event->time_s);
 }
 
 void App::pick_at(const Sight& sight) {
@@ -324,11 +376,18 @@ void App::request_picture() {
                   // While the engine runs, speed matters more than smooth edges.
                   model_.wants_draft()                     ? render::Quality::coarse
                   : model_.shows_engine() && engine_runs() ? render::Quality::draft
-                                                           : render::Quality::full};
+                                                           : render::Quality::full,
+                  watched_, contact_history_};
     if (wanted == requested_) return;
     render::View view = survey_.view_of(*wanted.snapshot, wanted.view.picture, n_frames);
     view.quality = wanted.quality;
-    painter_.request({wanted.snapshot, wanted.view.picture, view, ++n_requests_});
+    PictureRequest request{wanted.snapshot, wanted.view.picture, view, ++n_requests_, {}};
+    if (wanted.contact)
+        request.contact = ContactRequest{
+            *wanted.contact, wanted.history, settings_.drawn_by,
+            fmt::format("spheroscope inspect {} --contact {} --frame {} -o sheet.png",
+                        settings_.run_file, wanted.contact->text(), wanted.snapshot->frame)};
+    painter_.request(std::move(request));
     requested_ = std::move(wanted);
 }
 
@@ -368,6 +427,15 @@ void App::save_wanted_picture() {
     const bool knows_all =
         requested_.n_surveyed == model_.playback.n_frames() || !frames_.failure().empty();
     if (!saves_picture_ || !is_current || !knows_all) return;
+    if (request.contact) {
+        const std::vector<inspect::ContactSummary>& rows = *request.contact->history;
+        if (rows.empty() || rows.back().frame + 1 != model_.playback.n_frames()) return;
+        saves_picture_ = false;
+        write_image(
+            fmt::format("contact_{}_{:06d}", request.contact->key.text(), request.snapshot->frame),
+            shown_->image, shown_->contact_texts);
+        return;
+    }
     saves_picture_ = false;
     write_image(fmt::format("{}_{:06d}", request.picture.name, request.snapshot->frame),
                 shown_->image,
@@ -401,6 +469,7 @@ void App::draw_panels() {
                        live_,
                        [this](Action action) { act(action); },
                        [this](const Sight& sight) { pick_at(sight); },
+                       contact_history_,
                        window_.picture_texture(),
                        window_.small_font()};
     const ImVec2 size = ImGui::GetIO().DisplaySize;

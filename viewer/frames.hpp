@@ -1,12 +1,16 @@
 #pragma once
 
+#include "engine/inspect/contact_report.hpp"
 #include "viewer/run_survey.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace spheroscope::viewer {
+
+using ContactRows = std::shared_ptr<const std::vector<inspect::ContactSummary>>;
 
 /// Where the panel's frames come from. Called by the panel's thread; nothing here waits for a disk.
 class Frames {
@@ -21,6 +25,11 @@ class Frames {
     [[nodiscard]] virtual RunSurvey survey() = 0;
     /// Goes up with every frame of the survey.
     [[nodiscard]] virtual int n_surveyed() = 0;
+    /// Gathers the history of this contact from now on; nullopt: of none. Throws Error where the
+    /// run has no such contacts.
+    virtual void watch_contact(std::optional<inspect::ContactKey> key) = 0;
+    /// Its rows so far, ascending by frames; nullptr: no contact is watched.
+    [[nodiscard]] virtual ContactRows contact_history() = 0;
     /// Why there will be no more frames; "" if all is well.
     [[nodiscard]] virtual std::string failure() = 0;
 };

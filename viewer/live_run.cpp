@@ -67,6 +67,27 @@ SnapshotPtr LiveRun::frame(int number) {
     return frames_[index];
 }
 
+void LiveRun::watch_contact(std::optional<inspect::ContactKey> key) {
+    historian_ = key ? std::make_unique<inspect::ContactHistorian>(header_, *key) : nullptr;
+    contact_history_ =
+        key ? std::make_shared<const std::vector<inspect::ContactSummary>>() : nullptr;
+    n_told_ = 0;
+}
+
+ContactRows LiveRun::contact_history() {
+    if (historian_ == nullptr || n_told_ == frames_.size()) return contact_history_;
+    constexpr int most_at_once = 4;
+    std::vector<inspect::ContactSummary> rows = *contact_history_;
+    for (int k = 0; k < most_at_once && n_told_ < frames_.size(); ++n_told_) {
+        if (frames_[n_told_] == nullptr) continue;
+        rows.push_back(historian_->summary_of(frames_[n_told_]));
+        ++k;
+    }
+    contact_history_ =
+        std::make_shared<const std::vector<inspect::ContactSummary>>(std::move(rows));
+    return contact_history_;
+}
+
 void LiveRun::take_look() {
     if (SnapshotPtr look = channel_.take_look()) looks_.add(std::move(look));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/cli/simulate.hpp"
+#include "engine/inspect/contact_history.hpp"
 #include "viewer/frames.hpp"
 #include "viewer/model/kept_looks.hpp"
 #include "viewer/model/live_channel.hpp"
@@ -36,6 +37,10 @@ class LiveRun final : public Frames {
     [[nodiscard]] SnapshotPtr frame(int number) override;
     [[nodiscard]] RunSurvey survey() override { return *survey_; }
     [[nodiscard]] int n_surveyed() override { return survey_->n_frames(); }
+    /// Of frames that are kept; a few milliseconds for each, a few frames in each call of
+    /// contact_history().
+    void watch_contact(std::optional<inspect::ContactKey> key) override;
+    [[nodiscard]] ContactRows contact_history() override;
     [[nodiscard]] std::string failure() override { return failure_; }
 
     [[nodiscard]] LiveChannel& channel() { return channel_; }
@@ -62,6 +67,9 @@ class LiveRun final : public Frames {
     std::size_t first_kept_ = 0, kept_bytes_ = 0;
     KeptLooks looks_;
     std::string failure_;
+    std::unique_ptr<inspect::ContactHistorian> historian_;
+    ContactRows contact_history_;
+    std::size_t n_told_ = 0;  // frames that the historian has seen, or can no longer see
 
     std::atomic<bool> is_over_{false};
     std::optional<cli::SimulationSummary> summary_;  // after is_over_

@@ -1,15 +1,25 @@
 #pragma once
 
 #include "render/picture.hpp"
+#include "render/png.hpp"
+#include "viewer/frames.hpp"
 
 #include <condition_variable>
 #include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 
 namespace spheroscope::viewer {
+
+/// A contact that is to be shown instead of the aggregate, as `inspect` draws it.
+struct ContactRequest {
+    inspect::ContactKey key;
+    ContactRows history;
+    std::string made_by, command;  ///< for the texts of a file
+};
 
 /// What a picture is to show.
 struct PictureRequest {
@@ -17,6 +27,7 @@ struct PictureRequest {
     scene::Picture picture;
     render::View view;
     int number = 0;  ///< tells requests apart
+    std::optional<ContactRequest> contact = {};
 };
 
 struct PaintedPicture {
@@ -24,6 +35,7 @@ struct PaintedPicture {
     render::Image image;
     render::Camera camera;
     double took_s = 0.0;
+    render::PngTexts contact_texts = {};  ///< of a contact's sheet
 };
 
 /// Draws pictures in a thread of its own, which owns the OSMesa context. The newest request wins:

@@ -3,6 +3,7 @@
 #include "engine/base/error.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 namespace spheroscope::viewer {
@@ -63,6 +64,28 @@ std::string StoredFrames::failure() {
     return failure_;
 }
 
+void StoredFrames::watch_contact(std::optional<inspect::ContactKey> key) {
+    std::shared_ptr<inspect::ContactHistorian> historian;
+    if (key) historian = std::make_shared<inspect::ContactHistorian>(reader_.header(), *key);
+    {
+        const std::lock_guard lock(mutex_);
+        historian_ = std::move(historian);
+        contact_history_ =
+            key ? std::make_shared<const std::vector<inspect::ContactSummary>>() : nullptr;
+    }
+    changed_.notify_all();
+}
+
+ContactRows StoredFrames::contact_history() {
+    const std::lock_guard lock(mutex_);
+    return contact_history_;
+}
+
+int StoredFrames::n_contact_rows() const {
+    return contact_history_ == nullptr ? reader_.n_frames()
+                                       : static_cast<int>(contact_history_->size());
+}
+
 SnapshotPtr StoredFrames::find(int number) const {
     const auto found = std::find_if(kept_.begin(), kept_.end(),
                                     [&](const SnapshotPtr& s) { return s->frame == number; });
@@ -89,6 +112,7 @@ int StoredFrames::next_wanted() const {
         for (int i = wanted_; i <= last; ++i)
             if (!find(i)) return i;
     }
+    if (n_contact_rows() < n_frames) return n_contact_rows();
     return survey_.n_frames() < n_frames ? survey_.n_frames() : -1;
 }
 
@@ -115,16 +139,40 @@ void StoredFrames::read_all() {
             }
             keep(snapshot);
         }
-        if (number == survey_.n_frames()) {
-            // beside the lock: it looks at all values
-            RunSurvey survey = survey_;
-            lock.unlock();
-            survey.add(*snapshot);
-            lock.lock();
-            survey_ = std::move(survey);
+        try {
+            if (number == n_contact_rows()) add_to_history(snapshot, lock);
+        } catch (const std::exception& error) {
+            failure_ = error.what();
         }
+        if (number == survey_.n_frames()) add_to_survey(*snapshot, lock);
         on_news_();
     }
+}
+
+void StoredFrames::add_to_survey(const Snapshot& snapshot, std::unique_lock<std::mutex>& lock) {
+    RunSurvey survey = survey_;
+    lock.unlock();
+    survey.add(snapshot);
+    lock.lock();
+    survey_ = std::move(survey);
+}
+
+void StoredFrames::add_to_history(const SnapshotPtr& snapshot, std::unique_lock<std::mutex>& lock) {
+    const std::shared_ptr<inspect::ContactHistorian> historian = historian_;
+    std::vector<inspect::ContactSummary> rows = *contact_history_;
+    lock.unlock();
+    std::exception_ptr trouble;
+    try {
+        rows.push_back(historian->summary_of(snapshot));
+    } catch (...) {
+        trouble = std::current_exception();
+    }
+    lock.lock();
+    if (trouble) std::rethrow_exception(trouble);
+    // Another contact may be watched by now.
+    if (historian == historian_)
+        contact_history_ =
+            std::make_shared<const std::vector<inspect::ContactSummary>>(std::move(rows));
 }
 
 }  // namespace spheroscope::viewer

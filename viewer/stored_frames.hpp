@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/inspect/contact_history.hpp"
 #include "engine/store/run_file.hpp"
 #include "viewer/frames.hpp"
 
@@ -13,8 +14,8 @@
 namespace spheroscope::viewer {
 
 /// The frames of a file. A thread of its own reads them (HDF5 has one user): the frame that is
-/// wanted first, else the next ones behind it, else the survey of the whole run. It keeps the
-/// latest k_kept_bytes of them.
+/// wanted first, else the next ones behind it, else the history of a watched contact, else the
+/// survey of the whole run. It keeps the latest k_kept_bytes of them.
 class StoredFrames final : public Frames {
   public:
     static constexpr std::size_t k_kept_bytes = std::size_t{512} << 20U;
@@ -30,6 +31,8 @@ class StoredFrames final : public Frames {
     [[nodiscard]] SnapshotPtr frame(int number) override;
     [[nodiscard]] RunSurvey survey() override;
     [[nodiscard]] int n_surveyed() override;
+    void watch_contact(std::optional<inspect::ContactKey> key) override;
+    [[nodiscard]] ContactRows contact_history() override;
     [[nodiscard]] std::string failure() override;
 
   private:
@@ -38,6 +41,11 @@ class StoredFrames final : public Frames {
     [[nodiscard]] int next_wanted() const;
     [[nodiscard]] SnapshotPtr find(int number) const;
     void keep(SnapshotPtr snapshot);
+    /// Rows of the watched contact's history; none is watched: all frames.
+    [[nodiscard]] int n_contact_rows() const;
+    /// Both leave `lock` while they look at the frame.
+    void add_to_survey(const Snapshot& snapshot, std::unique_lock<std::mutex>& lock);
+    void add_to_history(const SnapshotPtr& snapshot, std::unique_lock<std::mutex>& lock);
 
     const RunFileReader reader_;
     const std::function<void()> on_news_;
@@ -51,6 +59,8 @@ class StoredFrames final : public Frames {
     std::list<SnapshotPtr> kept_;  // the one used last in front
     std::size_t kept_bytes_ = 0;
     RunSurvey survey_;
+    std::shared_ptr<inspect::ContactHistorian> historian_;  // the reading thread alone asks it
+    ContactRows contact_history_;
     std::string failure_;
 
     std::thread thread_;  // last: it starts when all else is there

@@ -42,7 +42,9 @@ nlohmann::json document_of(const viewer::PanelModel& model, const viewer::AppRep
                             {"longest_pick_s", report.longest_pick_s},
                             {"files", report.files},
                             {"copied", report.copied},
+                            {"contact", nullptr},
                             {"selection", nullptr}};
+    if (model.contact) document["contact"] = model.contact->text();
     if (model.selection)
         document["selection"] = {{"cell", model.selection->cell},
                                  {"triangle", model.selection->triangle},

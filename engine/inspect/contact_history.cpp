@@ -3,20 +3,37 @@
 #include "engine/inspect/inspect_contact.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace spheroscope::inspect {
 
 std::vector<ContactSummary> contact_history(const std::shared_ptr<const RunHeader>& header,
                                             const ReadFrame& read, int n_frames,
                                             const ContactKey& key) {
-    check_cells(*header, key);
-    FrameSystem pair(header, {key.cell_a, key.cell_b}, FrameSystem::Detail::contacts);
+    ContactHistorian historian(header, key);
     std::vector<ContactSummary> history;
-    for (int frame = 0; frame < n_frames; ++frame) {
-        pair.load(read(frame));
-        history.push_back(summarize(pair, key));
-    }
+    for (int frame = 0; frame < n_frames; ++frame)
+        history.push_back(historian.summary_of(read(frame)));
     return history;
+}
+
+struct ContactHistorian::Hidden {
+    ContactKey key;
+    FrameSystem pair;
+};
+
+ContactHistorian::ContactHistorian(const std::shared_ptr<const RunHeader>& header,
+                                   const ContactKey& key) {
+    check_cells(*header, key);
+    hidden_ = std::make_unique<Hidden>(
+        Hidden{key, {header, {key.cell_a, key.cell_b}, FrameSystem::Detail::contacts}});
+}
+
+ContactHistorian::~ContactHistorian() = default;
+
+ContactSummary ContactHistorian::summary_of(SnapshotPtr frame) {
+    hidden_->pair.load(std::move(frame));
+    return summarize(hidden_->pair, hidden_->key);
 }
 
 std::string_view name_of(EventKind kind) {

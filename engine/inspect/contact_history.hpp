@@ -4,6 +4,7 @@
 #include "engine/run/snapshot.hpp"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,20 @@ using ReadFrame = std::function<SnapshotPtr(int frame)>;
 [[nodiscard]] std::vector<ContactSummary>
 contact_history(const std::shared_ptr<const RunHeader>& header, const ReadFrame& read, int n_frames,
                 const ContactKey& key);
+
+/// The same, of frames as they come.
+class ContactHistorian {
+  public:
+    /// Throws Error when there is no such cell.
+    ContactHistorian(const std::shared_ptr<const RunHeader>& header, const ContactKey& key);
+    ~ContactHistorian();
+    /// Throws Error when the frame does not fit the run.
+    [[nodiscard]] ContactSummary summary_of(SnapshotPtr frame);
+
+  private:
+    struct Hidden;
+    std::unique_ptr<Hidden> hidden_;
+};
 
 enum class EventKind { forms, breaks, sign_change };
 [[nodiscard]] std::string_view name_of(EventKind kind);  ///< "forms", "breaks", "sign change"

@@ -3,6 +3,7 @@
 #include "engine/inspect/inspect_contact.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace spheroscope::inspect {
 
@@ -26,13 +27,15 @@ ContactStory tell_contact(const std::shared_ptr<const RunHeader>& header, const 
     story.events = find_events(story.history);
     const auto pair = std::make_shared<FrameSystem>(
         header, std::vector<int>{key.cell_a, key.cell_b}, FrameSystem::Detail::contacts);
-    story.at = [pair, read, key](int frame) -> ContactStory::Moment {
-        SnapshotPtr snapshot = read(frame);
-        pair->load(snapshot);
-        if (!summarize(*pair, key).exists) return {std::move(snapshot), {}};
-        return {std::move(snapshot), inspect_contact(*pair, key)};
-    };
+    story.at = [pair, read, key](int frame) { return contact_in(*pair, read(frame), key); };
     return story;
+}
+
+ContactMoment contact_in(FrameSystem& pair, SnapshotPtr frame, const ContactKey& key) {
+    pair.load(frame);
+    ContactMoment moment{std::move(frame), summarize(pair, key), {}};
+    if (moment.summary.exists) moment.report = inspect_contact(pair, key);
+    return moment;
 }
 
 }  // namespace spheroscope::inspect

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/inspect/contact_history.hpp"
+#include "engine/inspect/frame_system.hpp"
 
 #include <functional>
 #include <memory>
@@ -10,19 +11,23 @@
 
 namespace spheroscope::inspect {
 
+/// One contact in one frame.
+struct ContactMoment {
+    SnapshotPtr frame;
+    ContactSummary summary;
+    std::optional<ContactReport> report;  ///< empty: the cells do not touch in this frame
+};
+/// `pair`: of the contact's two cells.
+[[nodiscard]] ContactMoment contact_in(FrameSystem& pair, SnapshotPtr frame, const ContactKey& key);
+
 /// One contact through a run, as those read it who draw it: its whole history, and each frame on
 /// demand.
 struct ContactStory {
-    struct Moment {
-        SnapshotPtr frame;
-        std::optional<ContactReport> report;  ///< empty: the cells do not touch in this frame
-    };
-
     std::shared_ptr<const RunHeader> header;
     ContactKey key;
     std::vector<ContactSummary> history;  ///< one row for each frame
     std::vector<ContactEvent> events;
-    std::function<Moment(int frame)> at;
+    std::function<ContactMoment(int frame)> at;
     std::string made_by;       ///< version of the program, for the files' texts
     std::string command_line;  ///< that makes the picture again
 };

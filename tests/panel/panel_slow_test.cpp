@@ -120,6 +120,38 @@ TEST_F(Panel, AClickPicksAndTheTableCanBeCopied) {
               std::string::npos);
 }
 
+TEST_F(Panel, OpensAContactAsInspectDrawsItAndGoesToItsEvents) {
+    make_run();
+    const Outcome outcome = show("out/run.h5", "xdotool key End; settle 1\n"
+                                               "xdotool mousemove 240 205 click 1\n"
+                                               "until_log picked\n"
+                                               "xdotool key o p\n"
+                                               "until_log 'written to'\n"
+                                               "xdotool key ctrl+Left; settle\n"
+                                               "xdotool key ctrl+q");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const nlohmann::json report = document(outcome);
+    ASSERT_TRUE(report["contact"].is_string()) << "the click met no contact";
+    const std::string contact = report["contact"];
+    ASSERT_EQ(report["files"].size(), 1U);
+    const render::PngFile saved = render::read_png(path(report["files"][0].get<std::string>()));
+    const Outcome drawn =
+        call({"inspect", "out/run.h5", "--contact", contact, "-o", "sheet.png", "--quiet"});
+    ASSERT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_TRUE(saved.image == render::read_png(path("sheet.png")).image);
+    EXPECT_NE(saved.texts.at("Command").find("--contact " + contact), std::string::npos);
+    // The last of its events is where inspect says.
+    const Outcome events =
+        call({"inspect", "out/run.h5", "--contact", contact, "--events", "--json"});
+    ASSERT_EQ(events.code, 0) << events.err;
+    const nlohmann::json rows = nlohmann::json::parse(events.out)["events"];
+    ASSERT_FALSE(rows.empty());
+    int last_event = -1;
+    for (const nlohmann::json& row : rows)
+        if (row["frame"] < report["frames"].get<int>() - 1) last_event = row["frame"];
+    EXPECT_EQ(report["frame"], last_event);
+}
+
 TEST_F(Panel, ShowsThePixelsThatTheMovieHas) {
     make_run();
     ASSERT_EQ(call({"movie", "out/run.h5", "--quiet"}).code, 0);

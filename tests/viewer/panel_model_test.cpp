@@ -179,5 +179,25 @@ TEST(Bookmarks, OfSomebodyElseAreRefused) {
     EXPECT_TRUE(read_bookmarks(path + ".absent").empty());
 }
 
+TEST(OpenContact, IsThePickedOneAndIsClosedByTheSameKey) {
+    PanelModel model({scene::Picture{}});
+    EXPECT_FALSE(model.act(Action::open_contact));
+    EXPECT_FALSE(model.contact);
+    EXPECT_NE(model.message.find("no contact is picked"), std::string::npos);
+    model.selection = Pick{42, 0, 0, -1, Vec3::Zero()};  // a cell where it touches none
+    EXPECT_FALSE(model.act(Action::open_contact));
+    EXPECT_FALSE(model.contact);
+    model.selection->other_cell = 17;
+    EXPECT_FALSE(model.act(Action::open_contact));
+    ASSERT_TRUE(model.contact);
+    EXPECT_EQ(model.contact->text(), "17-42");
+    EXPECT_TRUE(model.contact_is_new);
+    EXPECT_FALSE(model.act(Action::open_contact));
+    EXPECT_FALSE(model.contact);
+    // Its events are for whoever knows its history.
+    EXPECT_EQ(model.act(Action::event_before), Action::event_before);
+    EXPECT_EQ(PanelModel::action_of(Key::right, false, true), Action::event_after);
+}
+
 }  // namespace
 }  // namespace spheroscope::viewer

@@ -11,11 +11,14 @@ namespace spheroscope::viewer {
 
 std::span<const KeyRow> all_keys() {
     using enum Action;
-    static constexpr std::array<KeyRow, 20> rows{{
+    static constexpr std::array<KeyRow, 23> rows{{
         {Key::space, false, false, toggle_playing, "Space", "play, pause"},
         {Key::period, false, false, single_step, ".", "one step of a running engine"},
         {Key::n, false, false, until_event, "N", "on to the next event, as above"},
         {Key::i, false, false, look_into_step, "I", "look into the next step, term by term"},
+        {Key::o, false, false, open_contact, "O", "open the picked contact, and back"},
+        {Key::left, false, true, event_before, "Ctrl ←", "to the contact's event before"},
+        {Key::right, false, true, event_after, "Ctrl →", "to its next event"},
         {Key::left, false, false, back, "←", "one frame back"},
         {Key::right, false, false, forward, "→", "one frame on"},
         {Key::left, true, false, back_10, "Shift ←", "ten frames back"},
@@ -70,6 +73,7 @@ std::optional<Action> PanelModel::act(Action action) {
             playback.go_to(playback.n_frames() - 1);
         return {};
     case Action::undo: view.undo(); return {};
+    case Action::open_contact: toggle_contact(); return {};
     case Action::redo: view.redo(); return {};
     case Action::save_picture:
         playback.step(0);  // playing ends: the picture of the frame that was asked for is drawn
@@ -77,6 +81,20 @@ std::optional<Action> PanelModel::act(Action action) {
     case Action::bookmark: add_bookmark(); return action;
     default: return action;
     }
+}
+
+void PanelModel::toggle_contact() {
+    if (contact) {
+        contact.reset();
+        return;
+    }
+    if (!selection || selection->other_cell < 0) {
+        message = "no contact is picked: a click where two cells touch picks one";
+        return;
+    }
+    const auto [a, b] = std::minmax(selection->cell, selection->other_cell);
+    contact = inspect::ContactKey{a, b};
+    contact_is_new = true;
 }
 
 void PanelModel::follow_engine() {

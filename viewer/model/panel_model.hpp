@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/inspect/contact_report.hpp"
 #include "engine/run/step_anatomy.hpp"
 #include "viewer/model/bookmarks.hpp"
 #include "viewer/model/history.hpp"
@@ -24,6 +25,9 @@ enum class Action {
     single_step,
     until_event,
     look_into_step,
+    open_contact,
+    event_before,
+    event_after,
     back,
     forward,
     back_10,
@@ -41,7 +45,7 @@ enum class Action {
 };
 
 /// Keys by name; the window knows their numbers.
-enum class Key { space, left, right, home, end, period, b, c, n, i, p, q, t, y, z };
+enum class Key { space, left, right, home, end, period, b, c, n, i, o, p, q, t, y, z };
 
 /// A row of the table of keys; the window, the help and the tests loop over it.
 struct KeyRow {
@@ -62,6 +66,9 @@ class PanelModel {
     History<ViewSettings> view;
     std::vector<Bookmark> bookmarks;
     std::optional<Pick> selection;
+    std::optional<inspect::ContactKey>
+        contact;                        ///< that is shown, taken apart, in place of the cells
+    bool contact_is_new = false;        ///< nobody has seen its panel yet
     std::string message;                ///< the last thing that there was to say
     std::array<char, 32> typed_time{};  ///< what stands in the field for a time
 
@@ -110,6 +117,8 @@ class PanelModel {
 
   private:
     void look_back();
+    /// The contact that is picked, or back to all cells.
+    void toggle_contact();
 
     std::vector<scene::Picture> presets_;
     const SeriesRow* blaming_ = nullptr;  ///< the row whose cell is to be picked

@@ -28,6 +28,7 @@ struct PanelContext {
     LiveRun* live;  ///< nullptr: there is no engine behind the frames
     std::function<void(Action)> act;
     std::function<void(const Sight&)> pick_at;
+    ContactRows contact_history;  ///< of the open contact; nullptr: none is open
     void* texture;
     ImFont* small_font;
 };
@@ -60,6 +61,8 @@ void draw_step(PanelContext& panel);
 [[nodiscard]] bool step_is_new(const PanelModel& model);
 void draw_view(PanelContext& panel);
 void draw_selection(PanelContext& panel);
+void draw_contact(PanelContext& panel);
+[[nodiscard]] bool contact_is_new(const PanelModel& model);
 void draw_bookmarks(PanelContext& panel);
 void draw_keys(PanelContext& panel);
 void draw_timeline(PanelContext& panel);

@@ -91,6 +91,10 @@ void draw_picture(PanelContext& panel, float width, float height) {
     const ImVec2 size{shown.scale * static_cast<float>(image.width),
                       shown.scale * static_cast<float>(image.height)};
     shown.corner = ImGui::GetCursorScreenPos();
+    if (panel.shown->request.contact) {  // a sheet is not turned, and nothing in it is picked
+        ImGui::Image(panel.texture, size);
+        return;
+    }
     ImGui::InvisibleButton("picture", size);
     ImGui::GetWindowDrawList()->AddImage(panel.texture, shown.corner,
                                          {shown.corner.x + size.x, shown.corner.y + size.y});
