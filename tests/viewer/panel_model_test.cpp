@@ -180,7 +180,7 @@ TEST(Bookmarks, OfSomebodyElseAreRefused) {
 }
 
 TEST(OpenContact, IsThePickedOneAndIsClosedByTheSameKey) {
-    PanelModel model({scene::Picture{}});
+    PanelModel model = model_of_100_frames();
     EXPECT_FALSE(model.act(Action::open_contact));
     EXPECT_FALSE(model.contact);
     EXPECT_NE(model.message.find("no contact is picked"), std::string::npos);
