@@ -296,7 +296,10 @@ void App::pick_at(const Sight& sight) {
                                    : pick(*shown_->request.snapshot, sight);
     report_.longest_pick_s = std::max(report_.longest_pick_s, seconds_since(begin));
     if (model_.selection)
-        spdlog::info("picked node {} of cell {}", model_.selection->node, model_.selection->cell);
+        spdlog::info("picked node {} of cell {}{}", model_.selection->node, model_.selection->cell,
+                     model_.selection->other_cell < 0
+                         ? ""
+                         : fmt::format(", contact with cell {}", model_.selection->other_cell));
 }
 
 void App::take_engines_news() {

@@ -123,8 +123,9 @@ TEST_F(Panel, AClickPicksAndTheTableCanBeCopied) {
 TEST_F(Panel, OpensAContactAsInspectDrawsItAndGoesToItsEvents) {
     make_run();
     const Outcome outcome = show("out/run.h5", "xdotool key End; settle 1\n"
-                                               "xdotool mousemove 240 205 click 1\n"
-                                               "until_log picked\n"
+                                               "for x in $(seq 130 10 350); do\n"
+                                               "xdotool mousemove $x 205 click 1; settle 0.3\n"
+                                               "grep -q 'contact with' log && break; done\n"
                                                "xdotool key o p\n"
                                                "until_log 'written to'\n"
                                                "xdotool key ctrl+Left; settle\n"
