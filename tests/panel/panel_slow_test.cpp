@@ -19,8 +19,9 @@ namespace {
 class PanelRun : public ProgramRunner {
   protected:
     /// A short run in out/run.h5, with a picture.
-    void make_run() {
-        write_file("scene.toml", with(all_stages_scene(), "[320, 200]", "[640, 360]"));
+    void make_run(const std::string& keys_of_picture = "") {
+        write_file("scene.toml",
+                   with(all_stages_scene(), "[320, 200]", "[640, 360]\n" + keys_of_picture));
         const Outcome made = call({"run", "scene.toml", "-o", "out", "--quiet", "--threads", "1"});
         ASSERT_EQ(made.code, 0) << made.err;
     }
@@ -121,7 +122,7 @@ TEST_F(Panel, AClickPicksAndTheTableCanBeCopied) {
 }
 
 TEST_F(Panel, OpensAContactAsInspectDrawsItAndGoesToItsEvents) {
-    make_run();
+    make_run("cutaway = true");  // faces that cells have turned to each other are seen
     const Outcome outcome = show("out/run.h5", "xdotool key End; settle 1\n"
                                                "for x in $(seq 130 10 350); do\n"
                                                "xdotool mousemove $x 205 click 1; settle 0.3\n"
