@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace spheroscope::viewer {
@@ -450,6 +451,8 @@ void App::write_image(const std::string& name, const render::Image& image,
                       const render::PngTexts& texts) {
     const std::string path = (std::filesystem::path(settings_.folder) / (name + ".png")).string();
     try {
+        std::error_code no_folder;  // then writing says why
+        std::filesystem::create_directories(settings_.folder, no_folder);
         render::write_png(path, image, texts);
         report_.files.push_back(path);
         model_.message = "written to " + path;
