@@ -8,9 +8,9 @@ std::span<const PanelRow> all_panels() {
     static constexpr std::array<PanelRow, 10> rows{{
         {"Engine", Side::right, true, true, draw_live},
         {"Inside a step", Side::right, false, true, draw_step, step_is_new},
+        {"Contact", Side::right, false, false, draw_contact, contact_is_new},
         {"View", Side::right, true, false, draw_view},
         {"Selection", Side::right, true, false, draw_selection},
-        {"Contact", Side::right, false, false, draw_contact, contact_is_new},
         {"Bookmarks", Side::right, false, false, draw_bookmarks},
         {"Keys", Side::right, false, false, draw_keys},
         {"Timeline", Side::below, true, false, draw_timeline},
