@@ -371,7 +371,7 @@ void ContactSheet::Hidden::draw_charts(double time_s, const std::optional<Contac
                     k_charts_y1);
 
     const auto chart_of = [&](const char* title, const char* unit, double ContactSummary::*member,
-                             double y0, double y1) {
+                              double y0, double y1) {
         LineChart chart;
         chart.title = title;
         chart.x_title = "t, s";

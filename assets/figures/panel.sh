@@ -1,6 +1,7 @@
 #!/bin/sh
-# Makes panel.png: the end of scenes/tour/first_light.toml in the panel, on a display of its own.
-# Needs xvfb, xdotool and imagemagick, which makes the file small: 255 colours.
+# Makes panel.png, the end of scenes/tour/first_light.toml in the panel on a display of its own, and
+# panel_contact.png, one of its contacts opened there.
+# Needs xvfb, xdotool and imagemagick, which makes the files small: 255 colours.
 #   assets/figures/panel.sh [PROGRAM [RUN]]
 set -e
 cd "$(dirname "$0")/../.."
@@ -14,7 +15,7 @@ trap 'kill $server; rm -r "$folder"' EXIT
 until [ -s "$folder/display" ]; do sleep 0.1; done
 DISPLAY=:$(cat "$folder/display")
 export DISPLAY
-"$program" view "$run" -o "$folder" --json >"$folder/report.json" 2>"$folder/log" &
+"$program" view "$run" -o "$folder" --json >"$folder/report.json" 2>>"$folder/log" &
 panel=$!
 until_log() { until grep -q "$1" "$folder/log"; do kill -0 $panel && sleep 0.1; done; }
 until_log 'first picture'
@@ -25,9 +26,21 @@ xdotool mousemove 466 391 click 1
 until_log picked
 xdotool mousemove 300 950
 sleep 1 # for the ring and the table
-xdotool key shift+p
-until_log 'written to'
+save() {
+	xdotool key shift+p
+	until_log 'written to'
+	convert "$folder/panel.png" -strip -dither FloydSteinberg -colors 255 "assets/figures/$1.png"
+	: >"$folder/log" # for the next picture
+}
+save panel
+for x in $(seq 380 15 700); do # until a face is met that another cell touches
+	xdotool mousemove "$x" 391 click 1
+	sleep 0.5
+	grep -q 'contact with' "$folder/log" && break
+done
+xdotool key o mousemove 300 950
+sleep 8 # for its history and the sheet
+save panel_contact
 xdotool key ctrl+q
 wait $panel
 cat "$folder/report.json"
-convert "$folder/panel.png" -strip -dither FloydSteinberg -colors 255 assets/figures/panel.png
