@@ -49,8 +49,8 @@ const std::map<std::string, std::set<std::string>>& allowed_folders() {
         {"render",
          {"base", "model", "scene", "measures", "run", "store", "reports", "inspect", "statistics",
           "cli"}},
-        {"viewer/model", {"base", "model", "scene", "measures", "run"}},
-        {"viewer", {"base", "model", "scene", "measures", "run", "store", "cli"}},
+        {"viewer/model", {"base", "model", "scene", "measures", "run", "inspect"}},
+        {"viewer", {"base", "model", "scene", "measures", "run", "inspect", "store", "cli"}},
     };
     return table;
 }
