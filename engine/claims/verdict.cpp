@@ -132,6 +132,14 @@ const MeasuredSetup* setup_of(const JudgedClaim& judged, const MeasuredSetups& m
     return at == measured.end() ? nullptr : &at->second;
 }
 
+/// Whether a one-sided claim is met by so little that it might be missed.
+bool is_by_less_than_its_error(const Claim& claim, const Estimate& value) {
+    if (!claim.paper.is_one_sided() || std::isnan(value.standard_error)) return false;
+    const double margin =
+        std::min(std::abs(value.mean - claim.paper.min), std::abs(value.mean - claim.paper.max));
+    return margin < 2.0 * value.standard_error;
+}
+
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
@@ -165,6 +173,8 @@ std::vector<JudgedClaim> judge_claims(const ClaimTable& table, const MeasuredSet
             if (row.verdict == Verdict::agrees &&
                 claim.paper.distance(row.value.mean) > claim.tolerance)
                 row.reason = "by its error alone, which is larger than the tolerance";
+            if (row.verdict == Verdict::agrees && is_by_less_than_its_error(claim, row.value))
+                row.reason = "by less than two standard errors";
         } catch (const NoData& none) {
             row.reason = none.reason;
         }

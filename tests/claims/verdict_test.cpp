@@ -121,6 +121,30 @@ above = 0
     EXPECT_THROW(static_cast<void>(judge_claims(table, without)), Error);
 }
 
+TEST(JudgeClaims, SaysWhereAOneSidedClaimIsMetByLessThanItsError) {
+    const ClaimTable table = parse_claims(R"(
+[[setup]]
+name = "a"
+scene = "a.toml"
+seeds = [1, 2]
+[[claim]]
+id = "positive"
+source = "s"
+says = "t"
+setup = "a"
+number = "x"
+above = 0
+)",
+                                          "t.claims");
+    const auto reason_of = [&](std::vector<double> x) {
+        const auto judged = judge_claims(table, {{"a", measured({number("x", std::move(x))})}});
+        EXPECT_EQ(judged[0].verdict, Verdict::agrees);
+        return judged[0].reason;
+    };
+    EXPECT_EQ(reason_of({1.0, 1.1}), "");
+    EXPECT_EQ(reason_of({-1.0, 1.1}), "by less than two standard errors");
+}
+
 TEST(JudgeClaims, ComparesSetupsByTheSeedsThatBothHave) {
     const ClaimTable table = parse_claims(R"(
 [[setup]]
