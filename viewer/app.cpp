@@ -92,6 +92,8 @@ class App {
     void take_news();
     /// Watches the contact that is open, and takes what has become known of its history.
     void follow_contact();
+    /// Back to all cells, because this contact cannot be shown.
+    void close_contact(const Error& why);
     void go_to_event(Action action);
     void request_picture();
     /// Whether there was a new one.
@@ -261,12 +263,16 @@ void App::follow_contact() {
         }
         contact_history_ = frames_.contact_history();
     } catch (const Error& error) {
-        model_.message = error.what();
-        model_.contact.reset();
-        watched_.reset();
-        contact_history_ = nullptr;
-        frames_.watch_contact({});
+        close_contact(error);
     }
+}
+
+void App::close_contact(const Error& why) {
+    model_.message = why.what();
+    model_.contact.reset();
+    watched_.reset();
+    contact_history_ = nullptr;
+    frames_.watch_contact({});
 }
 
 void App::go_to_event(Action action) {
@@ -397,7 +403,14 @@ void App::request_picture() {
 
 bool App::take_picture() {
     bool is_new = false;
-    if (std::optional<PaintedPicture> painted = painter_.take()) {
+    std::optional<PaintedPicture> painted;
+    try {
+        painted = painter_.take();
+    } catch (const Error& error) {
+        if (!model_.contact) throw;  // else all cells can still be shown
+        close_contact(error);
+    }
+    if (painted) {
         if (!shown_) {
             report_.first_picture_s = seconds_since(begin_);
             spdlog::info("first picture after {:.2f} s", report_.first_picture_s);
