@@ -71,6 +71,19 @@ std::string scene_text(const FrameSystem& frame, const ContactKey& key, const st
     return text;
 }
 
+/// What was changed in the run until then, but for colours, as keys of its scene.
+std::vector<scene::Override> overrides_of(const Snapshot& frame) {
+    std::vector<scene::Override> overrides;
+    if (frame.changes == nullptr) return overrides;
+    for (const Change& change : *frame.changes) {
+        const ChangeableRow& row = *find_changeable(change.key);
+        if (row.of == ChangeableRow::Of::engine)
+            overrides.push_back(
+                {change.key, scene::format_quantity(change.values.at(0), row.dimension)});
+    }
+    return overrides;
+}
+
 void append(std::vector<float>& values, const Vec3& v) {
     for (const double component : {v.x(), v.y(), v.z()})
         values.push_back(static_cast<float>(component));
@@ -161,7 +174,10 @@ ExtractedPair extract_pair(FrameSystem& frame, const ContactKey& key, const std:
     const auto integral_s = two.system().configuration().volume_integral_s;
     result.load.volume_integral_s.assign(integral_s.begin(), integral_s.end());
     result.scene_toml = scene_text(frame, key, run_file, duration_s);
-    const scene::Scene scene = scene::parse_scene(result.scene_toml, "the extracted scene");
+    const std::vector<scene::Override> overrides = overrides_of(frame.frame());
+    const scene::Scene scene =
+        scene::parse_scene(result.scene_toml, "the extracted scene", overrides);
+    if (!overrides.empty()) result.scene_toml = scene.resolved_toml;
     auto header = std::make_shared<RunHeader>();
     header->topology = two.system().model().topology;
     header->n_cells = 2;

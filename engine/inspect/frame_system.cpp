@@ -20,8 +20,8 @@ Vec3 point(const std::vector<float>& values, std::size_t i) {
 FrameSystem::FrameSystem(std::shared_ptr<const RunHeader> header, std::vector<int> cells,
                          Detail detail)
     : header_(std::move(header)),
-      scene_(scene::parse_scene(header_->resolved_scene, "the run's scene")),
-      cells_(std::move(cells)), detail_(detail) {
+      first_scene_(scene::parse_scene(header_->resolved_scene, "the run's scene")),
+      scene_(first_scene_), cells_(std::move(cells)), detail_(detail) {
     if (!scene_.contact)
         throw Error("the run's scene has no [contact]: its cells do not touch each other");
     if (scene_.held && detail_ == Detail::forces)
@@ -57,12 +57,21 @@ void FrameSystem::use_mesh(int n_nodes) {
                                        Need::triangles | Need::volumes);
 }
 
+void FrameSystem::use_changes(const std::vector<Change>& changes) {
+    if (changes == changes_) return;
+    scene_ = first_scene_;
+    for (const Change& change : changes) apply_change(scene_, change);
+    changes_ = changes;
+    system_.reset();
+}
+
 void FrameSystem::load(SnapshotPtr frame) {
     if (frame->stage < 0 || frame->stage >= static_cast<int>(scene_.stages.size()))
         throw Error("frame " + std::to_string(frame->frame) + " is of stage " +
                     std::to_string(frame->stage) + ", the run's scene has " +
                     std::to_string(scene_.stages.size()));
     frame_ = std::move(frame);
+    use_changes(frame_->changes ? *frame_->changes : std::vector<Change>());
     use_mesh(scene_.stages[idx(frame_->stage)].nodes);
     const std::vector<Vec3> x_um = positions_um();
     if (const auto trouble = system_->evaluate(x_um, volume_integrals_s(x_um),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/run/changes.hpp"
 #include "engine/run/snapshot.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/solve/system.hpp"
@@ -12,6 +13,7 @@ namespace spheroscope::inspect {
 
 /// The system of a run at one of its frames, built again from what a snapshot holds: positions,
 /// pressures (from which the controllers' integrals follow), the wall, and hull and probe.
+/// Parameters that were changed during the run are those of the frame.
 /// Positions are those of the snapshot, single precision; overlaps are right to some 1e-5 um.
 ///
 /// Stages that are computed on a coarser mesh than their frames show are looked at on their own
@@ -45,11 +47,14 @@ class FrameSystem {
 
   private:
     void use_mesh(int n_nodes);
+    /// The scene as it had become by the frame.
+    void use_changes(const std::vector<Change>& changes);
     [[nodiscard]] std::vector<Vec3> positions_um() const;
     [[nodiscard]] std::vector<double> volume_integrals_s(const std::vector<Vec3>& x_um) const;
 
     std::shared_ptr<const RunHeader> header_;
-    scene::Scene scene_;
+    scene::Scene first_scene_, scene_;  ///< at the start of the run, and by the loaded frame
+    std::vector<Change> changes_;       ///< from the one to the other
     std::vector<int> cells_;
     Detail detail_;
     std::unique_ptr<System> system_;

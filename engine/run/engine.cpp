@@ -150,7 +150,7 @@ void Engine::resume(const RunState& run) {
     const std::size_t n_before = n_changes_applied_;
     while (n_changes_applied_ < options_.changes.size() &&
            options_.changes[n_changes_applied_].time_s < run.state.time_s)
-        apply_change(scene_, options_.changes[n_changes_applied_++]);
+        make_change(options_.changes[n_changes_applied_++]);
     const bool has_changed = n_changes_applied_ > n_before;
     if (has_changed) method_ = chosen_method(scene_).make(method_parameters(scene_));
     if (has_changed || system_->model().n_nodes() != n_nodes) use_mesh(n_nodes);
@@ -448,6 +448,7 @@ std::shared_ptr<Snapshot> Engine::snapshot_of(const Totals& totals, double progr
     snapshot->stage_name = name_of(scene_.stages[idx(run_.stage)].kind);
     snapshot->stage_progress = progress;
     snapshot->load = run_.state.load;
+    snapshot->changes = changes_made_;
     return snapshot;
 }
 

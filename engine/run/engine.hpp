@@ -104,6 +104,8 @@ class Engine {
     void show_look(double progress);
     /// Changes that are due before the next step: those of the options, then those of the watcher.
     void apply_changes();
+    /// Throws Error, with everything as it was.
+    void make_change(const Change& change);
     /// Whether a stage without outputs of its own is looked at after so many steps, not seconds.
     [[nodiscard]] bool checks_by_steps_in(const scene::Stage& stage) const;
     /// Time of the next output or check, beyond which no step goes.
@@ -133,7 +135,8 @@ class Engine {
     Work earlier_work_;                      ///< of the systems on coarser meshes
     std::optional<Prolongation> to_frames_;  ///< from the system's mesh, if it is coarser
     std::unique_ptr<Method> method_;
-    std::size_t n_changes_applied_ = 0;     // of options_.changes
+    std::size_t n_changes_applied_ = 0;  // of options_.changes
+    std::shared_ptr<const std::vector<Change>> changes_made_;
     std::vector<Vec3> held_force_nN_;       // [all nodes]; empty without [load.held]
     std::vector<double> spring_nN_per_um_;  // [n_edges], for measures
     std::vector<double> pressure_kPa_;      // [cells]

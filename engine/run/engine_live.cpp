@@ -19,10 +19,17 @@ void Engine::show_look(double progress) {
              run_.diagnostics) = before;
 }
 
+void Engine::make_change(const Change& change) {
+    apply_change(scene_, change);
+    std::vector<Change> made = changes_made_ ? *changes_made_ : std::vector<Change>();
+    made.push_back(change);
+    changes_made_ = std::make_shared<const std::vector<Change>>(std::move(made));
+}
+
 void Engine::apply_changes() {
     bool has_changed = false;
     const auto apply = [&](const Change& change) {
-        apply_change(scene_, change);
+        make_change(change);
         if (find_changeable(change.key)->of == ChangeableRow::Of::engine) has_changed = true;
     };
     while (n_changes_applied_ < options_.changes.size() &&

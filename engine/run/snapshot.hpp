@@ -12,6 +12,8 @@
 
 namespace spheroscope {
 
+struct Change;
+
 /// Everything about a run that does not change from frame to frame. Shared by all its snapshots.
 struct RunHeader {
     std::shared_ptr<const MeshTopology> topology;
@@ -65,6 +67,9 @@ struct Snapshot {
     std::vector<float> volume_um3;           ///< [n_cells]
     std::vector<ContactLink> links;
     Load load;  ///< hull and probe, if there are any
+    /// What had changed in the header's scene by then, in the order in which it did; nullptr:
+    /// nothing.
+    std::shared_ptr<const std::vector<Change>> changes;
     Totals totals{};
     Diagnostics diagnostics;
 };

@@ -13,6 +13,7 @@ namespace spheroscope {
 
 struct NodeOfCell {
     int cell = 0, node = 0;
+    friend bool operator==(const NodeOfCell&, const NodeOfCell&) = default;
 };
 
 /// A step taken apart: what it looked at, term after term, and the solves between.

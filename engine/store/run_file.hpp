@@ -90,6 +90,7 @@ class RunFileReader {
     [[nodiscard]] const std::string& outcome() const { return end_.outcome; }
 
   private:
+    [[nodiscard]] std::shared_ptr<const std::vector<Change>> changes_before(double time_s) const;
     std::string path_;
     std::shared_ptr<const RunHeader> header_;
     std::vector<double> time_s_;

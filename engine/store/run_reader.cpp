@@ -123,6 +123,14 @@ double RunFileReader::time(int frame) const {
     return time_s_[static_cast<std::size_t>(frame)];
 }
 
+/// A change is made with the step that begins at its time, after the frame of that time.
+std::shared_ptr<const std::vector<Change>> RunFileReader::changes_before(double time_s) const {
+    const auto end = std::find_if(changes_.begin(), changes_.end(),
+                                  [&](const Change& change) { return change.time_s >= time_s; });
+    if (end == changes_.begin()) return nullptr;
+    return std::make_shared<const std::vector<Change>>(changes_.begin(), end);
+}
+
 SnapshotPtr RunFileReader::frame(int number) const {
     auto frame = std::make_shared<Snapshot>();
     frame->header = header_;
@@ -148,6 +156,7 @@ SnapshotPtr RunFileReader::frame(int number) const {
     frame->volume_um3 = file.read_array<float>(step + "/cells/volume", {n_cells});
     frame->links = read_contacts(file, step, header_->n_cells);
     frame->load = read_load(file, step);
+    frame->changes = changes_before(frame->time_s);
     for (const run_format::Column& column : run_format::columns())
         run_format::set_column_value(column, *frame, read_column(file, column, number));
     const auto bad = std::find_if_not(frame->x_um.begin(), frame->x_um.end(),

@@ -1,5 +1,6 @@
 // Two cells taken out of a run, with what everything else did to them held.
 #include "engine/inspect/extract.hpp"
+#include "engine/inspect/inspect_contact.hpp"
 #include "tests/inspect/small_runs.hpp"
 
 #include <gtest/gtest.h>
@@ -49,6 +50,35 @@ double force_of(const Snapshot& frame, int a, int b) {
         if (link.cell_a == a && link.cell_b == b) return double{link.force_nN};
     ADD_FAILURE() << "no contact " << a << "-" << b;
     return 0.0;
+}
+
+TEST(ExtractedPair, HasTheParametersThatTheRunHadByThen) {
+    PairScene text;
+    text.nodes = 42;
+    text.stages = "[[stage]]\nkind = \"relax\"\nduration = 0.4\nevery = 0.1\n";
+    EngineOptions options{.threads = 1, .version = {}, .command_line = {}};
+    options.changes = {{0.15, "contact.adhesion.omega", {0.2}},
+                       {0.25, "cortex.tension.gamma", {0.7}}};
+    Engine engine(scene::parse_scene(test::text_of(text), "pair"), options);
+    const SmallRun run = test::run_engine(engine);
+    const SmallRun pair = run_pair(extract(run, {0, 1}), true);
+    EXPECT_EQ(run.frames[1]->changes, nullptr);
+    ASSERT_NE(run.last()->changes, nullptr);
+    EXPECT_EQ(*run.last()->changes, options.changes);
+    // Each frame is looked at with what acted in it.
+    FrameSystem whole(run.header, {}, FrameSystem::Detail::forces);
+    for (const SnapshotPtr& frame : run.frames) {
+        if (frame->links.empty()) continue;
+        whole.load(frame);
+        const double wanted = force_of(*frame, 0, 1);
+        EXPECT_NEAR(summarize(whole, {0, 1}).centre_force_nN, wanted, 1e-3 * std::abs(wanted))
+            << frame->frame;
+    }
+    const double wanted = force_of(*run.last(), 0, 1);
+    EXPECT_NEAR(force_of(*pair.frames.front(), 0, 1), wanted, 1e-3 * std::abs(wanted));
+    const scene::Scene extracted = scene::parse_scene(extract(run, {0, 1}).scene_toml, "extracted");
+    EXPECT_DOUBLE_EQ(extracted.contact->omega_nN_per_um, 0.2);
+    EXPECT_DOUBLE_EQ(extracted.cortex.tension->gamma_nN_per_um, 0.7);
 }
 
 TEST(ExtractedPair, BeginsWithTheContactForceThatTheRunHad) {

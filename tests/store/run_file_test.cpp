@@ -68,6 +68,21 @@ TEST_F(RunFile, AReaderFromBeforeStillReadsItsFramesWhileTheFileGrows) {
     expect_equal(*reader.frame(1), make_frame(header_, 1));
 }
 
+TEST_F(RunFile, AFrameKnowsWhatHadChangedBeforeIt) {
+    RunFileWriter writer = create(path_);
+    write_frames(writer, 4);  // every 0.1 s
+    const std::vector<Change> changes{{0.1, "cortex.tension.gamma", {0.7}},
+                                      {0.25, "contact.adhesion.omega", {0.3}}};
+    writer.record_changes(changes);
+    const RunFileReader reader(path_);
+    EXPECT_EQ(reader.frame(0)->changes, nullptr);
+    EXPECT_EQ(reader.frame(1)->changes, nullptr);  // made with the step that begins there
+    ASSERT_NE(reader.frame(2)->changes, nullptr);
+    EXPECT_EQ(*reader.frame(2)->changes, std::vector<Change>{changes[0]});
+    ASSERT_NE(reader.frame(3)->changes, nullptr);
+    EXPECT_EQ(*reader.frame(3)->changes, changes);
+}
+
 TEST_F(RunFile, OnlyAFinishedRunIsComplete) {
     {
         RunFileWriter writer = create(path_);
