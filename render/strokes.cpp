@@ -3,6 +3,7 @@
 #include "engine/base/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -39,6 +40,41 @@ void draw_line(Image& image, PixelPoint from, PixelPoint to, double width_px, Rg
                       : 0.0;
               return half + 0.5 - std::hypot(x - from.x - along * dx, y - from.y - along * dy);
           });
+}
+
+namespace {
+
+/// Fills the head, and gives the point where the shaft ends.
+PixelPoint draw_head(Image& image, PixelPoint from, PixelPoint to, double width_px, Rgb colour) {
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    const double length = std::hypot(dx, dy);
+    if (length == 0.0) return from;
+    const double head = 4.5 * width_px, half = 1.9 * width_px;
+    const double ux = dx / length, uy = dy / length;
+    const PixelPoint base{to.x - head * ux, to.y - head * uy};
+    const std::array<PixelPoint, 3> corners{to, PixelPoint{base.x - half * uy, base.y + half * ux},
+                                            PixelPoint{base.x + half * uy, base.y - half * ux}};
+    fill_convex(image, corners, colour);
+    return length > head ? base : from;
+}
+
+}  // namespace
+
+void draw_arrow(Image& image, PixelPoint from, PixelPoint to, double width_px, Rgb colour) {
+    const PixelPoint end = draw_head(image, from, to, width_px, colour);
+    if (end.x != from.x || end.y != from.y) draw_line(image, from, end, width_px, colour);
+}
+
+void draw_dashed_arrow(Image& image, PixelPoint from, PixelPoint to, double width_px, Rgb colour) {
+    const PixelPoint end = draw_head(image, from, to, width_px, colour);
+    const double length = std::hypot(end.x - from.x, end.y - from.y);
+    const double dash = 3.0 * width_px;
+    const auto at = [&](double share) {
+        return PixelPoint{from.x + share * (end.x - from.x), from.y + share * (end.y - from.y)};
+    };
+    for (double begin = 0.0; begin < length; begin += 2.0 * dash)
+        draw_line(image, at(begin / length), at(std::min(1.0, (begin + dash) / length)), width_px,
+                  colour);
 }
 
 void fill_disc(Image& image, PixelPoint centre, double radius_px, Rgb colour, double opacity) {

@@ -14,6 +14,10 @@ struct PixelPoint {
 // All of them blend their edges by the covered share, and cut off what is outside the picture.
 void draw_line(Image& image, PixelPoint from, PixelPoint to, double width_px, Rgb colour,
                double opacity = 1.0);
+/// A line with a head at its end; one that is shorter than its head is a head alone.
+void draw_arrow(Image& image, PixelPoint from, PixelPoint to, double width_px, Rgb colour);
+/// A line of dashes, with an arrow's head at its end.
+void draw_dashed_arrow(Image& image, PixelPoint from, PixelPoint to, double width_px, Rgb colour);
 void fill_disc(Image& image, PixelPoint centre, double radius_px, Rgb colour, double opacity = 1.0);
 /// A convex polygon, in either sense of turning.
 void fill_convex(Image& image, std::span<const PixelPoint> corners, Rgb colour);

@@ -2,11 +2,11 @@
 
 #include "engine/base/error.hpp"
 #include "engine/cli/interrupt.hpp"
-#include "engine/inspect/contact_history.hpp"
 #include "engine/run/exploded.hpp"
 #include "render/png.hpp"
 #include "render/provenance.hpp"
 #include "viewer/live_run.hpp"
+#include "viewer/opened_sheet.hpp"
 #include "viewer/painter.hpp"
 #include "viewer/panels/panel.hpp"
 
@@ -51,6 +51,7 @@ std::optional<Key> key_of(int glfw_key) {
     case GLFW_KEY_PERIOD: return Key::period;
     case GLFW_KEY_B: return Key::b;
     case GLFW_KEY_C: return Key::c;
+    case GLFW_KEY_F: return Key::f;
     case GLFW_KEY_I: return Key::i;
     case GLFW_KEY_N: return Key::n;
     case GLFW_KEY_O: return Key::o;
@@ -65,10 +66,10 @@ std::optional<Key> key_of(int glfw_key) {
 
 class App {
   public:
-    App(Window& window, Frames& frames, PanelModel& model, LiveRun* live,
+    App(Window& window, Frames& frames, Painter& painter, PanelModel& model, LiveRun* live,
         const AppSettings& settings)
         : window_(window), frames_(frames), model_(model), live_(live), settings_(settings),
-          survey_(frames.survey()), painter_([] { Window::wake(); }) {
+          survey_(frames.survey()), sheet_(frames, model, settings), painter_(painter) {
         const scene::Picture& picture = model.view.now().picture;
         if (picture.range == "given")
             recorded_range_.assign(picture.given_range.begin(), picture.given_range.end());
@@ -90,11 +91,6 @@ class App {
     [[nodiscard]] SnapshotPtr wanted_snapshot();
     void pick_at(const Sight& sight);
     void take_news();
-    /// Watches the contact that is open, and takes what has become known of its history.
-    void follow_contact();
-    /// Back to all cells, because this contact cannot be shown.
-    void close_contact(const Error& why);
-    void go_to_event(Action action);
     void request_picture();
     /// Whether there was a new one.
     bool take_picture();
@@ -117,7 +113,7 @@ class App {
         ViewSettings view;
         int n_surveyed = -1;
         render::Quality quality = render::Quality::full;
-        std::optional<inspect::ContactKey> contact = {};
+        std::optional<Opened> opened = {};
         ContactRows history = nullptr;
         bool operator==(const Wanted&) const = default;
     };
@@ -130,12 +126,11 @@ class App {
     std::optional<PaintedPicture> shown_;
     SnapshotPtr curves_of_;
     Curve radial_stress_, force_distribution_;
-    std::optional<inspect::ContactKey> watched_;
-    ContactRows contact_history_;
+    OpenedSheet sheet_;
     bool saves_picture_ = false, saves_panel_ = false;
     std::string status_;
     AppReport report_;
-    Painter painter_;  // last: its thread starts when all else is there
+    Painter& painter_;
 };
 
 AppReport App::run() {
@@ -149,7 +144,7 @@ AppReport App::run() {
         take_input();
         take_news();
         model_.playback.advance(wall_s, model_.view.now().picture.fps);
-        follow_contact();
+        sheet_.follow();
         // The engine's steps would take what turning the view needs.
         if (live_ != nullptr) live_->channel().hold(model_.wants_draft());
         request_picture();
@@ -240,7 +235,7 @@ void App::act(Action action) {
                      "the table");
             break;
         case Action::event_before:
-        case Action::event_after: go_to_event(*left); break;
+        case Action::event_after: sheet_.go_to_event(*left); break;
         case Action::bookmark:
             write_bookmarks(bookmarks_path(settings_.run_file), model_.bookmarks);
             model_.message = "bookmarked in " + bookmarks_path(settings_.run_file);
@@ -250,50 +245,6 @@ void App::act(Action action) {
     } catch (const Error& error) {
         model_.message = error.what();
     }
-}
-
-void App::follow_contact() {
-    try {
-        if (watched_ != model_.contact) {
-            watched_ = model_.contact;
-            frames_.watch_contact(model_.contact);
-            model_.message =
-                watched_ ? fmt::format("contact {}; O leads back to all cells", watched_->text())
-                         : "";
-        }
-        contact_history_ = frames_.contact_history();
-    } catch (const Error& error) {
-        close_contact(error);
-    }
-}
-
-void App::close_contact(const Error& why) {
-    model_.message = why.what();
-    model_.contact.reset();
-    watched_.reset();
-    contact_history_ = nullptr;
-    frames_.watch_contact({});
-}
-
-void App::go_to_event(Action action) {
-    if (contact_history_ == nullptr) {
-        model_.message = "no contact is open: O opens the one that is picked";
-        return;
-    }
-    const std::vector<inspect::ContactEvent> events = inspect::find_events(*contact_history_);
-    const int frame = model_.playback.frame();
-    const inspect::ContactEvent* const event = action == Action::event_before
-                                                   ? inspect::previous_event(events, frame)
-                                                   : inspect::next_event(events, frame);
-    if (event == nullptr) {
-        model_.message = action == Action::event_before
-                             ? "no event of this contact before this frame"
-                             : "no event of this contact after this frame";
-        return;
-    }
-    model_.playback.go_to(event->frame);
-    model_.message = fmt::format("contact {}: {} at {:.4g} s", watched_->text(),
-                                 inspect::name_of(event->kind), event->time_s);
 }
 
 void App::pick_at(const Sight& sight) {
@@ -387,16 +338,12 @@ void App::request_picture() {
                   model_.wants_draft()                     ? render::Quality::coarse
                   : model_.shows_engine() && engine_runs() ? render::Quality::draft
                                                            : render::Quality::full,
-                  watched_, contact_history_};
+                  sheet_.opened(), sheet_.contact_history()};
     if (wanted == requested_) return;
     render::View view = survey_.view_of(*wanted.snapshot, wanted.view.picture, n_frames);
     view.quality = wanted.quality;
-    PictureRequest request{wanted.snapshot, wanted.view.picture, view, ++n_requests_, {}};
-    if (wanted.contact)
-        request.contact = ContactRequest{
-            *wanted.contact, wanted.history, settings_.drawn_by,
-            fmt::format("spheroscope inspect {} --contact {} --frame {} -o sheet.png",
-                        settings_.run_file, wanted.contact->text(), wanted.snapshot->frame)};
+    PictureRequest request{wanted.snapshot, wanted.view.picture, view, ++n_requests_,
+                           sheet_.request_for(*wanted.snapshot)};
     painter_.request(std::move(request));
     requested_ = std::move(wanted);
 }
@@ -407,12 +354,13 @@ bool App::take_picture() {
     try {
         painted = painter_.take();
     } catch (const Error& error) {
-        if (!model_.contact) throw;  // else all cells can still be shown
-        close_contact(error);
+        if (!model_.opened) throw;  // else all cells can still be shown
+        sheet_.close(error);
     }
     if (painted) {
         if (!shown_) {
             report_.first_picture_s = seconds_since(begin_);
+            frames_.begin_survey();
             spdlog::info("first picture after {:.2f} s", report_.first_picture_s);
         }
         (painted->request.view.quality == render::Quality::full ? report_.full_s
@@ -444,13 +392,11 @@ void App::save_wanted_picture() {
     const bool knows_all =
         requested_.n_surveyed == model_.playback.n_frames() || !frames_.failure().empty();
     if (!saves_picture_ || !is_current || !knows_all) return;
-    if (request.contact) {
-        const std::vector<inspect::ContactSummary>& rows = *request.contact->history;
-        if (rows.empty() || rows.back().frame + 1 != model_.playback.n_frames()) return;
+    if (request.sheet) {
+        if (!sheet_.is_whole(*request.sheet)) return;
         saves_picture_ = false;
-        write_image(
-            fmt::format("contact_{}_{:06d}", request.contact->key.text(), request.snapshot->frame),
-            shown_->image, shown_->contact_texts);
+        write_image(sheet_name(*request.sheet, request.snapshot->frame), shown_->image,
+                    shown_->sheet_texts);
         return;
     }
     saves_picture_ = false;
@@ -488,7 +434,7 @@ void App::draw_panels() {
                        live_,
                        [this](Action action) { act(action); },
                        [this](const Sight& sight) { pick_at(sight); },
-                       contact_history_,
+                       sheet_.contact_history(),
                        window_.picture_texture(),
                        window_.small_font()};
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -530,9 +476,9 @@ void App::draw_panels() {
 
 }  // namespace
 
-AppReport run_app(Window& window, Frames& frames, PanelModel& model, LiveRun* live,
-                  const AppSettings& settings) {
-    return App(window, frames, model, live, settings).run();
+AppReport run_app(Window& window, Frames& frames, Painter& painter, PanelModel& model,
+                  LiveRun* live, const AppSettings& settings) {
+    return App(window, frames, painter, model, live, settings).run();
 }
 
 }  // namespace spheroscope::viewer

@@ -10,6 +10,7 @@
 namespace spheroscope::viewer {
 
 class LiveRun;
+class Painter;
 
 struct AppSettings {
     std::string run_file;  ///< bookmarks and pictures go beside it
@@ -30,7 +31,7 @@ struct AppReport {
 
 /// Shows the panel until it is closed. `live`: the engine behind the frames; nullptr: there is
 /// none. Throws Error when nothing can be drawn.
-[[nodiscard]] AppReport run_app(Window& window, Frames& frames, PanelModel& model, LiveRun* live,
-                                const AppSettings& settings);
+[[nodiscard]] AppReport run_app(Window& window, Frames& frames, Painter& painter, PanelModel& model,
+                                LiveRun* live, const AppSettings& settings);
 
 }  // namespace spheroscope::viewer

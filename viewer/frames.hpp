@@ -21,6 +21,8 @@ class Frames {
     [[nodiscard]] virtual std::vector<double> take_new_times() = 0;
     /// The frame if it is at hand; else nullptr, and it is fetched before all others.
     [[nodiscard]] virtual SnapshotPtr frame(int number) = 0;
+    /// The first picture is on show: what would have taken the processors from it may begin.
+    virtual void begin_survey() {}
     /// The survey so far, copied: others go on with it.
     [[nodiscard]] virtual RunSurvey survey() = 0;
     /// Goes up with every frame of the survey.

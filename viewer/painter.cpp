@@ -2,6 +2,7 @@
 
 #include "engine/inspect/contact_story.hpp"
 #include "render/contact_sheet.hpp"
+#include "render/node_sheet.hpp"
 
 #include <chrono>
 #include <memory>
@@ -22,11 +23,11 @@ class ContactPainter {
     [[nodiscard]] const inspect::ContactKey& key() const { return key_; }
 
     void paint(const PictureRequest& request, PaintedPicture& painted) {
-        const ContactRequest& wanted = *request.contact;
+        const SheetRequest& wanted = *request.sheet;
         if (wanted.history != history_) sheet_.set_history(*wanted.history);
         history_ = wanted.history;
         painted.image = sheet_.draw(inspect::contact_in(pair_, request.snapshot, key_));
-        painted.contact_texts = sheet_.texts(wanted.made_by, wanted.command);
+        painted.sheet_texts = sheet_.texts(wanted.made_by, wanted.command);
     }
 
   private:
@@ -36,10 +37,51 @@ class ContactPainter {
     ContactRows history_;
 };
 
+/// Draws the forces on any node in any frame.
+class NodePainter {
+  public:
+    explicit NodePainter(const std::shared_ptr<const RunHeader>& header)
+        : whole_(header, {}, inspect::FrameSystem::Detail::forces) {}
+
+    void paint(const PictureRequest& request, PaintedPicture& painted) {
+        const SheetRequest& wanted = *request.sheet;
+        const inspect::NodeMoment moment =
+            inspect::node_in(whole_, request.snapshot, std::get<NodeOfCell>(wanted.opened));
+        painted.image = sheet_.draw(moment);
+        painted.sheet_texts = render::node_sheet_texts(moment, wanted.made_by, wanted.command);
+    }
+
+  private:
+    inspect::FrameSystem whole_;
+    render::NodeSheet sheet_;
+};
+
+/// Draws what is open; keeps what the next picture of the same kind needs.
+class SheetPainter {
+  public:
+    void paint(const PictureRequest& request, PaintedPicture& painted) {
+        const std::shared_ptr<const RunHeader>& header = request.snapshot->header;
+        if (const auto* key = std::get_if<inspect::ContactKey>(&request.sheet->opened)) {
+            if (contact_ == nullptr || !(contact_->key() == *key))
+                contact_ = std::make_unique<ContactPainter>(header, *key);
+            contact_->paint(request, painted);
+        } else {
+            if (node_ == nullptr) node_ = std::make_unique<NodePainter>(header);
+            node_->paint(request, painted);
+        }
+    }
+
+  private:
+    std::unique_ptr<ContactPainter> contact_;
+    std::unique_ptr<NodePainter> node_;
+};
+
 }  // namespace
 
-Painter::Painter(std::function<void()> on_news)
-    : on_news_(std::move(on_news)), thread_([this] { paint_all(); }) {}
+Painter::Painter(std::shared_ptr<const RunHeader> header, scene::Picture first,
+                 std::function<void()> on_news)
+    : header_(std::move(header)), first_(std::move(first)), on_news_(std::move(on_news)),
+      thread_([this] { paint_all(); }) {}
 
 Painter::~Painter() {
     {
@@ -66,8 +108,19 @@ std::optional<PaintedPicture> Painter::take() {
 
 void Painter::paint_all() {
     std::unique_ptr<render::Renderer> renderer;
-    std::unique_ptr<ContactPainter> contact;
+    SheetPainter sheets;
+    std::exception_ptr not_ready;
+    try {
+        renderer = std::make_unique<render::Renderer>(header_, first_);
+    } catch (...) {
+        not_ready = std::current_exception();
+    }
     std::unique_lock lock(mutex_);
+    if (not_ready) {
+        failure_ = not_ready;
+        on_news_();
+        return;
+    }
     while (true) {
         changed_.wait(lock, [&] { return is_over_ || wanted_; });
         if (is_over_) return;
@@ -78,16 +131,9 @@ void Painter::paint_all() {
         const auto begin = std::chrono::steady_clock::now();
         std::exception_ptr failure;
         try {
-            if (request.contact &&
-                (contact == nullptr || !(contact->key() == request.contact->key)))
-                contact = std::make_unique<ContactPainter>(request.snapshot->header,
-                                                           request.contact->key);
-            if (renderer == nullptr)
-                renderer =
-                    std::make_unique<render::Renderer>(request.snapshot->header, request.picture);
             renderer->set_picture(request.picture);
-            if (request.contact)
-                contact->paint(request, painted);
+            if (request.sheet)
+                sheets.paint(request, painted);
             else
                 painted.image = renderer->render(*request.snapshot, request.view);
             painted.camera = renderer->camera(*request.snapshot, request.view);

@@ -3,6 +3,7 @@
 #include "render/picture.hpp"
 #include "render/png.hpp"
 #include "viewer/frames.hpp"
+#include "viewer/model/opened.hpp"
 
 #include <condition_variable>
 #include <exception>
@@ -14,10 +15,10 @@
 
 namespace spheroscope::viewer {
 
-/// A contact that is to be shown instead of the aggregate, as `inspect` draws it.
-struct ContactRequest {
-    inspect::ContactKey key;
-    ContactRows history;
+/// What is to be shown instead of the aggregate, as `inspect` draws it.
+struct SheetRequest {
+    Opened opened;
+    ContactRows history;           ///< of a contact; nullptr otherwise
     std::string made_by, command;  ///< for the texts of a file
 };
 
@@ -27,7 +28,7 @@ struct PictureRequest {
     scene::Picture picture;
     render::View view;
     int number = 0;  ///< tells requests apart
-    std::optional<ContactRequest> contact = {};
+    std::optional<SheetRequest> sheet = {};
 };
 
 struct PaintedPicture {
@@ -35,15 +36,17 @@ struct PaintedPicture {
     render::Image image;
     render::Camera camera;
     double took_s = 0.0;
-    render::PngTexts contact_texts = {};  ///< of a contact's sheet
+    render::PngTexts sheet_texts = {};
 };
 
 /// Draws pictures in a thread of its own, which owns the OSMesa context. The newest request wins:
 /// whoever turns a view wants to see where it is, not where it was.
 class Painter {
   public:
-    /// `on_news` is called in the drawing thread after each picture.
-    explicit Painter(std::function<void()> on_news);
+    /// Gets ready at once for pictures of this run. `on_news` is called in the drawing thread after
+    /// each picture.
+    Painter(std::shared_ptr<const RunHeader> header, scene::Picture first,
+            std::function<void()> on_news);
     ~Painter();
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
@@ -55,6 +58,8 @@ class Painter {
   private:
     void paint_all();
 
+    const std::shared_ptr<const RunHeader> header_;
+    const scene::Picture first_;
     const std::function<void()> on_news_;
     std::mutex mutex_;
     std::condition_variable changed_;

@@ -12,6 +12,9 @@ namespace {
 /// Frames that are read ahead of the one that is shown, for playing.
 constexpr int k_ahead = 4;
 
+/// The panel is drawn for each news: more of them would take the time from reading.
+constexpr std::chrono::milliseconds k_telling_every{100};
+
 std::size_t bytes_of(const Snapshot& snapshot) {
     std::size_t n = snapshot.x_um.size() + snapshot.normal.size();
     for (const std::vector<float>& values : snapshot.fields) n += values.size();
@@ -47,6 +50,14 @@ SnapshotPtr StoredFrames::frame(int number) {
         changed_.notify_all();
     }
     return find(number);
+}
+
+void StoredFrames::begin_survey() {
+    {
+        const std::lock_guard lock(mutex_);
+        may_survey_ = true;
+    }
+    changed_.notify_all();
 }
 
 RunSurvey StoredFrames::survey() {
@@ -113,7 +124,14 @@ int StoredFrames::next_wanted() const {
             if (!find(i)) return i;
     }
     if (n_contact_rows() < n_frames) return n_contact_rows();
-    return survey_.n_frames() < n_frames ? survey_.n_frames() : -1;
+    return may_survey_ && survey_.n_frames() < n_frames ? survey_.n_frames() : -1;
+}
+
+void StoredFrames::tell(bool is_waited_for) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!is_waited_for && now - told_at_ < k_telling_every) return;
+    told_at_ = now;
+    on_news_();
 }
 
 void StoredFrames::read_all() {
@@ -145,7 +163,7 @@ void StoredFrames::read_all() {
             failure_ = error.what();
         }
         if (number == survey_.n_frames()) add_to_survey(*snapshot, lock);
-        on_news_();
+        tell(number == wanted_ || next_wanted() < 0);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "engine/store/run_file.hpp"
 #include "viewer/frames.hpp"
 
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -29,6 +30,7 @@ class StoredFrames final : public Frames {
     }
     [[nodiscard]] std::vector<double> take_new_times() override;
     [[nodiscard]] SnapshotPtr frame(int number) override;
+    void begin_survey() override;
     [[nodiscard]] RunSurvey survey() override;
     [[nodiscard]] int n_surveyed() override;
     void watch_contact(std::optional<inspect::ContactKey> key) override;
@@ -37,6 +39,8 @@ class StoredFrames final : public Frames {
 
   private:
     void read_all();
+    /// Tells of news: of what is waited for at once, of the rest now and then.
+    void tell(bool is_waited_for);
     /// What to read next; -1: nothing.
     [[nodiscard]] int next_wanted() const;
     [[nodiscard]] SnapshotPtr find(int number) const;
@@ -54,8 +58,8 @@ class StoredFrames final : public Frames {
     std::mutex mutex_;
     std::condition_variable changed_;
     // guarded by mutex_
-    bool is_over_ = false;
-    int wanted_ = -1;
+    bool is_over_ = false, may_survey_ = false;
+    int wanted_ = 0;
     std::list<SnapshotPtr> kept_;  // the one used last in front
     std::size_t kept_bytes_ = 0;
     RunSurvey survey_;
@@ -63,7 +67,8 @@ class StoredFrames final : public Frames {
     ContactRows contact_history_;
     std::string failure_;
 
-    std::thread thread_;  // last: it starts when all else is there
+    std::chrono::steady_clock::time_point told_at_{};  // of the reading thread
+    std::thread thread_;                               // last: it starts when all else is there
 };
 
 }  // namespace spheroscope::viewer

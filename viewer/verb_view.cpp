@@ -6,6 +6,7 @@
 #include "render/verb_pictures.hpp"
 #include "viewer/app.hpp"
 #include "viewer/live_run.hpp"
+#include "viewer/painter.hpp"
 #include "viewer/stored_frames.hpp"
 #include "viewer/verbs.hpp"
 
@@ -43,8 +44,11 @@ nlohmann::json document_of(const viewer::PanelModel& model, const viewer::AppRep
                             {"files", report.files},
                             {"copied", report.copied},
                             {"contact", nullptr},
+                            {"node", nullptr},
                             {"selection", nullptr}};
-    if (model.contact) document["contact"] = model.contact->text();
+    if (model.opened)
+        document[viewer::contact_of(model.opened) ? "contact" : "node"] =
+            viewer::key_text(*model.opened);
     if (model.selection)
         document["selection"] = {{"cell", model.selection->cell},
                                  {"triangle", model.selection->triangle},
@@ -61,8 +65,11 @@ ExitCode view_file(const ViewArguments& arguments) {
                     "simulated, not about a run that is stored");
     const std::vector<scene::Picture> pictures =
         pictures_of(RunFileReader(arguments.input), common);
+    const auto wake = [] { viewer::Window::wake(); };
+    // While the window is being made the first frame is read, and the pictures' OpenGL gets ready.
+    viewer::StoredFrames frames(arguments.input, wake);
+    viewer::Painter painter(frames.header(), pictures.front(), wake);
     viewer::Window window("spheroscope: " + arguments.input, k_width_px, k_height_px);
-    viewer::StoredFrames frames(arguments.input, [] { viewer::Window::wake(); });
     viewer::PanelModel model(pictures);
     model.bookmarks = viewer::read_bookmarks(viewer::bookmarks_path(arguments.input));
     viewer::AppSettings settings;
@@ -70,7 +77,8 @@ ExitCode view_file(const ViewArguments& arguments) {
     settings.folder =
         common.output.empty() ? fs::path(arguments.input).parent_path().string() : common.output;
     settings.drawn_by = cli::version_text();
-    const viewer::AppReport report = viewer::run_app(window, frames, model, nullptr, settings);
+    const viewer::AppReport report =
+        viewer::run_app(window, frames, painter, model, nullptr, settings);
     if (common.json) cli::print_json(document_of(model, report));
     return ExitCode::ok;
 }
@@ -98,6 +106,7 @@ ExitCode view_scene(const ViewArguments& arguments, const cli::Invocation& invoc
     viewer::Window window("spheroscope: " + arguments.input, k_width_px, k_height_px);
     viewer::LiveRun live(scene, place, quiet, {arguments.overwrite, arguments.paused}, invocation,
                          [] { viewer::Window::wake(); });
+    viewer::Painter painter(live.header(), scene.pictures.front(), [] { viewer::Window::wake(); });
     if (arguments.paused) spdlog::info("the engine waits: Space plays, . makes one step");
     viewer::PanelModel model(scene.pictures);
     model.live.emplace();
@@ -106,7 +115,7 @@ ExitCode view_scene(const ViewArguments& arguments, const cli::Invocation& invoc
     settings.run_file = place.run_file();
     settings.folder = place.folder;
     settings.drawn_by = cli::version_text();
-    const viewer::AppReport report = viewer::run_app(window, live, model, &live, settings);
+    const viewer::AppReport report = viewer::run_app(window, live, painter, model, &live, settings);
     const cli::SimulationSummary summary = live.finish();
     const double pace = live.channel().pace().overall();
     if (common.json) {

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
 #include <utility>
 
 namespace spheroscope::viewer {
@@ -106,6 +107,10 @@ void set_style() {
     style.Colors[ImGuiCol_Border] = {0.80F, 0.81F, 0.83F, 1.0F};
 }
 
+/// Threads that have news may be there before the window is, and after it.
+std::mutex g_open_mutex;
+bool g_is_open = false;
+
 }  // namespace
 
 struct Window::Hidden {
@@ -155,9 +160,15 @@ Window::Window(const std::string& title, int width_px, int height_px)
     h.small_font = load_font(13.0F);
     set_style();
     h.gl.gen_textures(1, &h.texture);
+    const std::lock_guard lock(g_open_mutex);
+    g_is_open = true;
 }
 
 Window::~Window() {
+    {
+        const std::lock_guard lock(g_open_mutex);
+        g_is_open = false;
+    }
     hidden_->gl.delete_textures(1, &hidden_->texture);
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
@@ -189,7 +200,10 @@ void Window::draw() {
     glfwSwapBuffers(hidden_->window.get());
 }
 
-void Window::wake() { glfwPostEmptyEvent(); }
+void Window::wake() {
+    const std::lock_guard lock(g_open_mutex);
+    if (g_is_open) glfwPostEmptyEvent();
+}
 
 std::vector<KeyPress> Window::take_keys() {
     std::vector<KeyPress> keys = std::exchange(hidden_->keys, {});

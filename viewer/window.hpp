@@ -32,7 +32,7 @@ class Window {
     /// Ends the frame: on the screen, or with nothing but its input taken.
     void draw();
     void skip_drawing();
-    /// Ends the wait of begin_frame; from any thread.
+    /// Ends the wait of begin_frame; from any thread, also where there is no window.
     static void wake();
 
     /// Keys since the last frame that no text field took.

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes panel.png, the end of scenes/tour/first_light.toml in the panel on a display of its own, and
-# panel_contact.png, one of its contacts opened there.
+# panel_contact.png and panel_node.png, one of its contacts and the forces on a node opened there.
 # Needs xvfb, xdotool and imagemagick, which makes the files small: 255 colours.
 #   assets/figures/panel.sh [PROGRAM [RUN]]
 set -e
@@ -41,6 +41,9 @@ done
 xdotool key o mousemove 300 950
 sleep 8 # for its history and the sheet
 save panel_contact
+xdotool key f
+sleep 3 # for the forces of all cells
+save panel_node
 xdotool key ctrl+q
 wait $panel
 cat "$folder/report.json"

@@ -6,7 +6,7 @@
 #include "engine/cli/verb_inspect.hpp"
 #include "engine/cli/version.hpp"
 #ifdef SPHEROSCOPE_HAS_RENDER
-#include "render/contact_drawer.hpp"
+#include "render/inspect_drawers.hpp"
 #include "render/probe.hpp"
 #include "render/verbs.hpp"
 #endif
@@ -25,14 +25,14 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     reports::DrawPlot draw;
     cli::PictureProbe probe;
-    inspect::DrawContact draw_contact;
+    inspect::Drawers drawers;
 #ifdef SPHEROSCOPE_HAS_RENDER
     draw = plot_drawer();
     probe = render::probe_pictures;
-    draw_contact = contact_drawer();
+    drawers = inspect_drawers();
 #endif
     std::vector<cli::Verb> verbs = cli::engine_verbs(draw);
-    verbs.push_back(cli::inspect_verb(draw_contact));
+    verbs.push_back(cli::inspect_verb(drawers));
     verbs.push_back(cli::extract_verb());
 #ifdef SPHEROSCOPE_HAS_RENDER
     for (cli::Verb& verb : render_verbs()) verbs.push_back(std::move(verb));

@@ -55,7 +55,14 @@ void check(const InspectArguments& arguments) {
     };
     wants_contact(arguments.history, "--history");
     wants_contact(arguments.events, "--events");
-    wants_contact(!arguments.common.output.empty(), "-o");
+    const bool draws = !arguments.common.output.empty();
+    if (draws && arguments.step) throw Error("--step has tables, and no picture");
+    if (draws && arguments.contact.empty() && arguments.node.empty())
+        throw Error("-o draws one contact, or the forces on one node",
+                    "name it with --contact 17-42 or --node 17:203; without either all contacts "
+                    "are listed");
+    if (draws && !arguments.contact.empty() && !arguments.node.empty())
+        throw Error("-o draws either the contact or the node", "leave out --contact or --node");
     const auto whole_run = [&](bool given, const char* option) {
         if (given && (arguments.frame.frame || !arguments.frame.time.empty()))
             throw Error(
@@ -178,27 +185,43 @@ void show_step(const InspectArguments& arguments, const RunFileReader& reader,
                step_text(anatomy));
 }
 
-/// All contacts of one frame, or one node without a contact.
+/// Throws Error (environment) in a program that cannot draw.
+void check_can_draw(const inspect::Drawers& drawers) {
+    if (!drawers.contact_sheet)
+        throw Error("this program was built without pictures (SPHEROSCOPE_RENDER)",
+                    "numbers come without -o", ExitCode::environment);
+}
+
+/// One node without a contact: numbers, and a picture where one is wanted.
+void show_node(const InspectArguments& arguments, const RunFileReader& reader,
+               const SnapshotPtr& frame, const Invocation& invocation,
+               const inspect::Drawers& drawers) {
+    FrameSystem whole(reader.header(), {}, FrameSystem::Detail::forces);
+    const inspect::NodeMoment moment = inspect::node_in(whole, frame, parse_node(arguments.node));
+    if (arguments.common.json) {
+        nlohmann::json document = head_json(reader);
+        add_frame(document, *frame);
+        document["node"] = node_json(moment.forces);
+        print_json(document);
+    } else if (arguments.csv) {
+        fmt::print("{}", node_table(moment.forces).csv_text());
+    } else {
+        fmt::print("{}{}", frame_text(reader, *frame), node_text(moment.forces));
+    }
+    const std::string& path = arguments.common.output;
+    if (path.empty()) return;
+    check_can_draw(drawers);
+    drawers.node_sheet(moment, invocation.version, invocation.command_line, path);
+    spdlog::info("written to {}", path);
+}
+
+/// All contacts of one frame.
 void show_frame(const InspectArguments& arguments, const RunFileReader& reader,
                 const SnapshotPtr& frame) {
-    const bool has_node = !arguments.node.empty();
-    FrameSystem whole(reader.header(), {},
-                      has_node ? FrameSystem::Detail::forces : FrameSystem::Detail::contacts);
+    FrameSystem whole(reader.header(), {}, FrameSystem::Detail::contacts);
     whole.load(frame);
     nlohmann::json document = head_json(reader);
     add_frame(document, *frame);
-    if (has_node) {
-        const NodeOfCell key = parse_node(arguments.node);
-        const inspect::NodeForces forces = inspect::forces_on_node(whole, key.cell, key.node);
-        document["node"] = node_json(forces);
-        if (arguments.common.json)
-            print_json(document);
-        else if (arguments.csv)
-            fmt::print("{}", node_table(forces).csv_text());
-        else
-            fmt::print("{}{}", frame_text(reader, *frame), node_text(forces));
-        return;
-    }
     const std::vector<inspect::ContactSummary> contacts = inspect::contacts_of(whole);
     if (arguments.common.json) {
         nlohmann::json rows = nlohmann::json::array();
@@ -215,26 +238,27 @@ void show_frame(const InspectArguments& arguments, const RunFileReader& reader,
 }
 
 void draw(const InspectArguments& arguments, const inspect::ContactStory& story, int frame,
-          const inspect::DrawContact& draw_contact) {
+          const inspect::Drawers& drawers) {
     const std::string& path = arguments.common.output;
     const std::string ending = std::filesystem::path(path).extension();
-    if (!draw_contact.sheet)
-        throw Error("this program was built without pictures (SPHEROSCOPE_RENDER)",
-                    "numbers come without -o", ExitCode::environment);
+    check_can_draw(drawers);
     if (ending == ".png")
-        draw_contact.sheet(story, frame, path);
+        drawers.contact_sheet(story, frame, path);
     else
-        draw_contact.movie(story, path);
+        drawers.contact_movie(story, path);
     spdlog::info("written to {}", path);
 }
 
 ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invocation,
-                      const inspect::DrawContact& draw_contact) {
+                      const inspect::Drawers& drawers) {
     check(arguments);
     if (arguments.common.quiet) make_log_quiet();
     const std::string ending = std::filesystem::path(arguments.common.output).extension();
     if (!arguments.common.output.empty() && ending != ".png" && ending != ".mp4")
         throw Error("-o wants a picture sheet (.png) or a movie (.mp4), got '" +
+                    arguments.common.output + "'");
+    if (!arguments.node.empty() && ending == ".mp4")
+        throw Error("the forces on a node are drawn as a picture sheet (.png), got '" +
                     arguments.common.output + "'");
     std::optional<ContactKey> key;
     if (!arguments.contact.empty()) key = inspect::parse_contact(arguments.contact);
@@ -252,7 +276,10 @@ ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invoc
         return ExitCode::ok;
     }
     if (!key) {
-        show_frame(arguments, reader, reader.frame(frame));
+        if (arguments.node.empty())
+            show_frame(arguments, reader, reader.frame(frame));
+        else
+            show_node(arguments, reader, reader.frame(frame), invocation, drawers);
         return ExitCode::ok;
     }
     if (!is_whole_run && arguments.common.output.empty()) {
@@ -268,16 +295,16 @@ ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invoc
         // A sheet of a frame without the contact has nothing to show: the numbers say so.
         if (!is_whole_run && ending == ".png")
             show_contact(arguments, reader, reader.frame(frame), *key);
-        draw(arguments, story, frame, draw_contact);
+        draw(arguments, story, frame, drawers);
     }
     return ExitCode::ok;
 }
 
 }  // namespace
 
-Verb inspect_verb(const inspect::DrawContact& draw_contact) {
+Verb inspect_verb(const inspect::Drawers& drawers) {
     return {"inspect", "lists the contacts of a run, or takes one of them apart",
-            [draw_contact](CommandLine& command) -> VerbAction {
+            [drawers](CommandLine& command) -> VerbAction {
                 const auto arguments = std::make_shared<InspectArguments>();
                 command.argument("FILE", arguments->file, "HDF5 file of a run");
                 command.option("--contact", arguments->contact,
@@ -286,7 +313,8 @@ Verb inspect_verb(const inspect::DrawContact& draw_contact) {
                                {"A-B"});
                 add_frame_options(command, arguments->frame);
                 command.option("--node", arguments->node,
-                               "every force on one node, term by term, with the residual",
+                               "every force on one node, term by term, with the residual; with -o "
+                               "as arrows",
                                {"CELL:NODE"});
                 command.flag("--step", arguments->step,
                              "the step that would begin with this frame: the forces before and "
@@ -300,8 +328,8 @@ Verb inspect_verb(const inspect::DrawContact& draw_contact) {
                              "or the pressure map of one contact");
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::json, CommonOption::quiet});
-                return [arguments, draw_contact](const Invocation& invocation) {
-                    return inspect_file(*arguments, invocation, draw_contact);
+                return [arguments, drawers](const Invocation& invocation) {
+                    return inspect_file(*arguments, invocation, drawers);
                 };
             }};
 }

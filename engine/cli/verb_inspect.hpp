@@ -6,6 +6,6 @@
 namespace spheroscope::cli {
 
 /// `inspect`; the functions that draw are empty in a program without pictures.
-[[nodiscard]] Verb inspect_verb(const inspect::DrawContact& draw_contact);
+[[nodiscard]] Verb inspect_verb(const inspect::Drawers& drawers);
 
 }  // namespace spheroscope::cli

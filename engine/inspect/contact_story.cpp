@@ -38,4 +38,9 @@ ContactMoment contact_in(FrameSystem& pair, SnapshotPtr frame, const ContactKey&
     return moment;
 }
 
+NodeMoment node_in(FrameSystem& whole, SnapshotPtr frame, const NodeOfCell& node) {
+    whole.load(frame);
+    return {std::move(frame), forces_on_node(whole, node.cell, node.node)};
+}
+
 }  // namespace spheroscope::inspect

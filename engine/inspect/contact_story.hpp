@@ -2,6 +2,7 @@
 
 #include "engine/inspect/contact_history.hpp"
 #include "engine/inspect/frame_system.hpp"
+#include "engine/run/step_anatomy.hpp"
 
 #include <functional>
 #include <memory>
@@ -37,10 +38,21 @@ struct ContactStory {
 [[nodiscard]] ContactStory tell_contact(const std::shared_ptr<const RunHeader>& header,
                                         const ReadFrame& read, int n_frames, const ContactKey& key);
 
-/// Draws one contact; empty functions in a program that was built without pictures.
-struct DrawContact {
-    std::function<void(const ContactStory&, int frame, const std::string& png)> sheet;
-    std::function<void(const ContactStory&, const std::string& mp4)> movie;
+/// Everything that acts on one node in one frame.
+struct NodeMoment {
+    SnapshotPtr frame;
+    NodeForces forces;
+};
+/// `whole`: of all cells, with Detail::forces. Throws Error when there is no such cell or node.
+[[nodiscard]] NodeMoment node_in(FrameSystem& whole, SnapshotPtr frame, const NodeOfCell& node);
+
+/// What draws contacts and nodes; empty functions in a program that was built without pictures.
+struct Drawers {
+    std::function<void(const ContactStory&, int frame, const std::string& png)> contact_sheet;
+    std::function<void(const ContactStory&, const std::string& mp4)> contact_movie;
+    std::function<void(const NodeMoment&, const std::string& made_by, const std::string& command,
+                       const std::string& png)>
+        node_sheet;
 };
 
 }  // namespace spheroscope::inspect

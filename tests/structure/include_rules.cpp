@@ -83,7 +83,7 @@ std::string objection(const std::string& path, const std::string& folder,
     if (target == "render" || target == "viewer" || target == "viewer/model") {
         // the program is where all verbs meet
         if (path == "engine/cli/main.cpp" &&
-            (header == "render/verbs.hpp" || header == "render/contact_drawer.hpp" ||
+            (header == "render/verbs.hpp" || header == "render/inspect_drawers.hpp" ||
              header == "render/probe.hpp" || header == "viewer/verbs.hpp"))
             return "";
         const bool allowed = target == folder || folder == "viewer";

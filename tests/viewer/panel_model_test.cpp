@@ -127,7 +127,7 @@ TEST(ATypedTime, GoesThereOrSaysWhatItWants) {
     EXPECT_EQ(model.message, "error: wanted a time such as 12.5 s or 2 min, got \"later\"");
 }
 
-TEST(ARedMark, GoesToItsFrameAndPicksTheCellToBlameThere) {
+TEST(ARedMark, GoesToItsFrameAndPicksTheContactToBlameThere) {
     PanelModel model = model_of_100_frames();
     const SeriesRow& volume_error = all_series()[1];
     ASSERT_EQ(volume_error.name, "volume error");
@@ -141,6 +141,8 @@ TEST(ARedMark, GoesToItsFrameAndPicksTheCellToBlameThere) {
     model.pick_blamed(*there);
     ASSERT_TRUE(model.selection.has_value());
     EXPECT_EQ(model.selection->cell, 1);
+    EXPECT_EQ(model.selection->other_cell, 0);  // its contact
+    EXPECT_NE(model.message.find("O opens it"), std::string::npos);
 
     model.selection.reset();
     model.go_to_blame(7, volume_error);
@@ -179,21 +181,40 @@ TEST(Bookmarks, OfSomebodyElseAreRefused) {
     EXPECT_TRUE(read_bookmarks(path + ".absent").empty());
 }
 
+TEST(OpenNode, IsThePickedOneAndIsClosedByTheSameKey) {
+    PanelModel model = model_of_100_frames();
+    press(model, Key::f);
+    EXPECT_FALSE(model.opened);
+    EXPECT_NE(model.message.find("no node is picked"), std::string::npos);
+    model.selection = Pick{17, 0, 203, 42, Vec3::Zero()};
+    press(model, Key::f);
+    ASSERT_TRUE(model.opened);
+    EXPECT_EQ(text_of(*model.opened), "node 17:203");
+    press(model, Key::o);  // one thing is open at a time
+    EXPECT_EQ(text_of(*model.opened), "contact 17-42");
+    EXPECT_EQ(contact_of(model.opened)->text(), "17-42");
+    press(model, Key::f);
+    EXPECT_EQ(text_of(*model.opened), "node 17:203");
+    EXPECT_FALSE(contact_of(model.opened));
+    press(model, Key::f);
+    EXPECT_FALSE(model.opened);
+}
+
 TEST(OpenContact, IsThePickedOneAndIsClosedByTheSameKey) {
     PanelModel model = model_of_100_frames();
     EXPECT_FALSE(model.act(Action::open_contact));
-    EXPECT_FALSE(model.contact);
+    EXPECT_FALSE(model.opened);
     EXPECT_NE(model.message.find("no contact is picked"), std::string::npos);
     model.selection = Pick{42, 0, 0, -1, Vec3::Zero()};  // a cell where it touches none
     EXPECT_FALSE(model.act(Action::open_contact));
-    EXPECT_FALSE(model.contact);
+    EXPECT_FALSE(model.opened);
     model.selection->other_cell = 17;
     EXPECT_FALSE(model.act(Action::open_contact));
-    ASSERT_TRUE(model.contact);
-    EXPECT_EQ(model.contact->text(), "17-42");
-    EXPECT_TRUE(model.contact_is_new);
+    ASSERT_TRUE(model.opened);
+    EXPECT_EQ(text_of(*model.opened), "contact 17-42");
+    EXPECT_TRUE(model.opened_is_new);
     EXPECT_FALSE(model.act(Action::open_contact));
-    EXPECT_FALSE(model.contact);
+    EXPECT_FALSE(model.opened);
     // Its events are for whoever knows its history.
     EXPECT_EQ(model.act(Action::event_before), Action::event_before);
     EXPECT_EQ(PanelModel::action_of(Key::right, false, true), Action::event_after);

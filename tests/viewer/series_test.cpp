@@ -39,19 +39,6 @@ TEST(Health, AWallThatPressesIsNoLackOfBalance) {
     EXPECT_EQ(bad_frames(row_of("force balance"), run), std::vector<int>{2});
 }
 
-TEST(Health, NamesTheCellThatIsToBlame) {
-    const auto snapshot = two_cells();
-    snapshot->volume_um3[1] *= 1.1F;
-    EXPECT_EQ(worst_cell(row_of("volume error"), *snapshot), 1);
-    // two corners of a triangle of cell 0 fall together
-    const MeshTopology::Triangle t = snapshot->header->topology->triangles[9];
-    for (std::size_t k = 0; k < 3; ++k)
-        snapshot->x_um[3 * static_cast<std::size_t>(t[0]) + k] =
-            snapshot->x_um[3 * static_cast<std::size_t>(t[1]) + k];
-    EXPECT_EQ(worst_cell(row_of("smallest triangle"), *snapshot), 0);
-    EXPECT_EQ(worst_cell(row_of("Z"), *snapshot), -1);
-}
-
 TEST(RadialStress, OfEqualCellsIsTheirValueEverywhere) {
     const auto snapshot = two_cells();
     snapshot->fields[0] = {-0.02F, -0.02F};

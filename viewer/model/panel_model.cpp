@@ -1,6 +1,7 @@
 #include "viewer/model/panel_model.hpp"
 
 #include "engine/base/error.hpp"
+#include "viewer/model/blame.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +12,13 @@ namespace spheroscope::viewer {
 
 std::span<const KeyRow> all_keys() {
     using enum Action;
-    static constexpr std::array<KeyRow, 23> rows{{
+    static constexpr std::array<KeyRow, 24> rows{{
         {Key::space, false, false, toggle_playing, "Space", "play, pause"},
         {Key::period, false, false, single_step, ".", "one step of a running engine"},
         {Key::n, false, false, until_event, "N", "on to the next event, as above"},
         {Key::i, false, false, look_into_step, "I", "look into the next step, term by term"},
         {Key::o, false, false, open_contact, "O", "open the picked contact, and back"},
+        {Key::f, false, false, open_node, "F", "forces on the picked node, and back"},
         {Key::left, false, true, event_before, "Ctrl ←", "to the contact's event before"},
         {Key::right, false, true, event_after, "Ctrl →", "to its next event"},
         {Key::left, false, false, back, "←", "one frame back"},
@@ -74,6 +76,7 @@ std::optional<Action> PanelModel::act(Action action) {
         return {};
     case Action::undo: view.undo(); return {};
     case Action::open_contact: toggle_contact(); return {};
+    case Action::open_node: toggle_node(); return {};
     case Action::redo: view.redo(); return {};
     case Action::save_picture:
         playback.step(0);  // playing ends: the picture of the frame that was asked for is drawn
@@ -83,9 +86,26 @@ std::optional<Action> PanelModel::act(Action action) {
     }
 }
 
+void PanelModel::open_in_place(const Opened& wanted) {
+    opened = wanted;
+    opened_is_new = true;
+}
+
+void PanelModel::toggle_node() {
+    if (opened && std::holds_alternative<NodeOfCell>(*opened)) {
+        opened.reset();
+        return;
+    }
+    if (!selection) {
+        message = "no node is picked: a click on a cell picks one";
+        return;
+    }
+    open_in_place(NodeOfCell{selection->cell, selection->node});
+}
+
 void PanelModel::toggle_contact() {
-    if (contact) {
-        contact.reset();
+    if (contact_of(opened)) {
+        opened.reset();
         return;
     }
     if (!selection || selection->other_cell < 0) {
@@ -93,8 +113,7 @@ void PanelModel::toggle_contact() {
         return;
     }
     const auto [a, b] = std::minmax(selection->cell, selection->other_cell);
-    contact = inspect::ContactKey{a, b};
-    contact_is_new = true;
+    open_in_place(inspect::ContactKey{a, b});
 }
 
 void PanelModel::follow_engine() {
@@ -135,8 +154,13 @@ void PanelModel::go_to_blame(int frame, const SeriesRow& row) {
 void PanelModel::pick_blamed(const Snapshot& on_show) {
     if (playback.frame() != blamed_frame_) blaming_ = nullptr;
     if (blaming_ == nullptr || on_show.frame != blamed_frame_) return;
-    const int cell = worst_cell(*blaming_, on_show);
-    if (cell >= 0) selection = Pick{cell, 0, 0, -1, Vec3::Zero()};
+    if (const std::optional<Pick> worst = blamed(*blaming_, on_show)) {
+        selection = worst;
+        message = worst->other_cell < 0
+                      ? fmt::format("cell {} is picked", worst->cell)
+                      : fmt::format("the contact of cells {} and {} is picked; O opens it",
+                                    worst->cell, worst->other_cell);
+    }
     blaming_ = nullptr;
 }
 

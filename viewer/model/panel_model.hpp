@@ -1,9 +1,9 @@
 #pragma once
 
-#include "engine/inspect/contact_report.hpp"
 #include "engine/run/step_anatomy.hpp"
 #include "viewer/model/bookmarks.hpp"
 #include "viewer/model/history.hpp"
+#include "viewer/model/opened.hpp"
 #include "viewer/model/pick.hpp"
 #include "viewer/model/playback.hpp"
 #include "viewer/model/series.hpp"
@@ -26,6 +26,7 @@ enum class Action {
     until_event,
     look_into_step,
     open_contact,
+    open_node,
     event_before,
     event_after,
     back,
@@ -45,7 +46,7 @@ enum class Action {
 };
 
 /// Keys by name; the window knows their numbers.
-enum class Key { space, left, right, home, end, period, b, c, n, i, o, p, q, t, y, z };
+enum class Key { space, left, right, home, end, period, b, c, f, n, i, o, p, q, t, y, z };
 
 /// A row of the table of keys; the window, the help and the tests loop over it.
 struct KeyRow {
@@ -66,9 +67,8 @@ class PanelModel {
     History<ViewSettings> view;
     std::vector<Bookmark> bookmarks;
     std::optional<Pick> selection;
-    std::optional<inspect::ContactKey>
-        contact;                        ///< that is shown, taken apart, in place of the cells
-    bool contact_is_new = false;        ///< nobody has seen its panel yet
+    std::optional<Opened> opened;       ///< what is shown in place of the cells
+    bool opened_is_new = false;         ///< nobody has seen its panel yet
     std::string message;                ///< the last thing that there was to say
     std::array<char, 32> typed_time{};  ///< what stands in the field for a time
 
@@ -108,8 +108,8 @@ class PanelModel {
 
     /// A time as typed; what is wrong with it becomes the message.
     void go_to_typed_time(const std::string& text);
-    /// Goes to a frame in which a row is beyond its limit. Its cell is picked once the frame is on
-    /// show, by pick_blamed(), if nobody has gone elsewhere by then.
+    /// Goes to a frame in which a row is beyond its limit. What is to blame (viewer/model/blame) is
+    /// picked once the frame is on show, by pick_blamed(), if nobody has gone elsewhere by then.
     void go_to_blame(int frame, const SeriesRow& row);
     void pick_blamed(const Snapshot& on_show);
     void add_bookmark();
@@ -117,8 +117,10 @@ class PanelModel {
 
   private:
     void look_back();
-    /// The contact that is picked, or back to all cells.
+    // What is picked, or back to all cells.
     void toggle_contact();
+    void toggle_node();
+    void open_in_place(const Opened& wanted);
 
     std::vector<scene::Picture> presets_;
     const SeriesRow* blaming_ = nullptr;  ///< the row whose cell is to be picked

@@ -93,6 +93,24 @@ int neighbour_at(const Snapshot& snapshot, int cell, const Vec3& at, const Vec3&
     return nearest;
 }
 
+/// A point of a triangle, with the node that is nearest to it and the neighbour there.
+Pick at_point(const Snapshot& snapshot, int cell, int triangle, const Vec3& at) {
+    Pick found{cell, triangle, -1, -1, at};
+    const Corners corners = corners_of(snapshot, cell, triangle);
+    double node_distance2 = k_far;
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 corner = k == 0 ? corners.a : k == 1 ? corners.b : corners.c;
+        const double d2 = (corner - at).squaredNorm();
+        if (d2 < node_distance2) {
+            node_distance2 = d2;
+            found.node = snapshot.header->topology->triangles[idx(triangle)][idx(k)];
+        }
+    }
+    const Vec3 normal = (corners.b - corners.a).cross(corners.c - corners.a).normalized();
+    found.other_cell = neighbour_at(snapshot, cell, at, normal);
+    return found;
+}
+
 std::string number(double value) {
     return std::isnan(value) ? "undefined" : fmt::format("{:.5g}", value);
 }
@@ -125,6 +143,33 @@ std::string csv_word(const std::string& text) {
 
 }  // namespace
 
+Pick pick_triangle(const Snapshot& snapshot, int cell, int triangle) {
+    const Corners corners = corners_of(snapshot, cell, triangle);
+    return at_point(snapshot, cell, triangle, (corners.a + corners.b + corners.c) / 3.0);
+}
+
+Pick pick_contact(const Snapshot& snapshot, int cell, int other_cell) {
+    const Vec3 other = point(snapshot.centre_um, idx(other_cell));
+    int nearest = 0;
+    double distance2 = k_far;
+    for (int t = 0; t < snapshot.header->topology->n_triangles(); ++t) {
+        const Corners corners = corners_of(snapshot, cell, t);
+        const double d2 = ((corners.a + corners.b + corners.c) / 3.0 - other).squaredNorm();
+        if (d2 < distance2) {
+            distance2 = d2;
+            nearest = t;
+        }
+    }
+    Pick found = pick_triangle(snapshot, cell, nearest);
+    found.other_cell = other_cell;
+    return found;
+}
+
+double triangle_area_um2(const Snapshot& snapshot, int cell, int triangle) {
+    const Corners corners = corners_of(snapshot, cell, triangle);
+    return 0.5 * (corners.b - corners.a).cross(corners.c - corners.a).norm();
+}
+
 std::optional<Pick> pick(const Snapshot& snapshot, const Sight& sight) {
     const MeshTopology& mesh = *snapshot.header->topology;
     Pick found;
@@ -144,20 +189,8 @@ std::optional<Pick> pick(const Snapshot& snapshot, const Sight& sight) {
         }
     }
     if (found.cell < 0) return {};
-    found.point_um = sight.origin_um + nearest * sight.away_from_eye;
-    const Corners corners = corners_of(snapshot, found.cell, found.triangle);
-    double node_distance2 = k_far;
-    for (int k = 0; k < 3; ++k) {
-        const Vec3 corner = k == 0 ? corners.a : k == 1 ? corners.b : corners.c;
-        const double d2 = (corner - found.point_um).squaredNorm();
-        if (d2 < node_distance2) {
-            node_distance2 = d2;
-            found.node = mesh.triangles[idx(found.triangle)][idx(k)];
-        }
-    }
-    const Vec3 normal = (corners.b - corners.a).cross(corners.c - corners.a).normalized();
-    found.other_cell = neighbour_at(snapshot, found.cell, found.point_um, normal);
-    return found;
+    return at_point(snapshot, found.cell, found.triangle,
+                    sight.origin_um + nearest * sight.away_from_eye);
 }
 
 std::vector<TableRow> describe(const Snapshot& snapshot, const Pick& pick) {

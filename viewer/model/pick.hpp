@@ -24,6 +24,12 @@ struct Pick {
 };
 [[nodiscard]] std::optional<Pick> pick(const Snapshot& snapshot, const Sight& sight);
 
+/// What a sight would have found that meets the middle of this triangle.
+[[nodiscard]] Pick pick_triangle(const Snapshot& snapshot, int cell, int triangle);
+/// The triangle of `cell` that is nearest to the middle of the other cell.
+[[nodiscard]] Pick pick_contact(const Snapshot& snapshot, int cell, int other_cell);
+[[nodiscard]] double triangle_area_um2(const Snapshot& snapshot, int cell, int triangle);
+
 /// One line of the table beside the picture. Empty value: a heading.
 struct TableRow {
     std::string what, value, unit;

@@ -21,27 +21,6 @@ Vec3 point(const std::vector<float>& values, std::size_t i) {
     return {double{values[3 * i]}, double{values[3 * i + 1]}, double{values[3 * i + 2]}};
 }
 
-/// Area of the smallest triangle of a cell over the mean of its triangles.
-double smallest_triangle(const Snapshot& snapshot, int cell) {
-    const MeshTopology& mesh = *snapshot.header->topology;
-    double smallest = k_none, sum = 0.0;
-    for (const MeshTopology::Triangle& t : mesh.triangles) {
-        const auto at = [&](int node) {
-            return point(snapshot.x_um, idx(cell * mesh.n_nodes() + node));
-        };
-        const double area = 0.5 * (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm();
-        smallest = std::min(smallest, area);
-        sum += area;
-    }
-    return smallest * mesh.n_triangles() / sum;
-}
-
-double volume_error(const Snapshot& snapshot, int cell) {
-    const double radius = double{snapshot.header->radius_um[idx(cell)]};
-    const double rest = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-    return std::abs(double{snapshot.volume_um3[idx(cell)]} / rest - 1.0);
-}
-
 }  // namespace
 
 FrameSummary summary_of(const Snapshot& snapshot) {
@@ -93,24 +72,6 @@ std::vector<int> bad_frames(const SeriesRow& row, std::span<const FrameSummary> 
     for (const FrameSummary& frame : run)
         if (is_bad(row, row.value(frame))) bad.push_back(frame.frame);
     return bad;
-}
-
-int worst_cell(const SeriesRow& row, const Snapshot& snapshot) {
-    const bool by_volume = row.name == "volume error";
-    const bool by_triangle = row.name == "smallest triangle" || row.name == "flipped triangles" ||
-                             row.name == "folded edges";
-    if (!by_volume && !by_triangle) return -1;
-    int worst = -1;
-    double badness = -k_none;
-    for (int cell = 0; cell < snapshot.header->n_cells; ++cell) {
-        const double b =
-            by_volume ? volume_error(snapshot, cell) : -smallest_triangle(snapshot, cell);
-        if (b > badness) {
-            badness = b;
-            worst = cell;
-        }
-    }
-    return worst;
 }
 
 Curve radial_stress(const Snapshot& snapshot) {

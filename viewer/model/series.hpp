@@ -39,10 +39,6 @@ struct SeriesRow {
 /// Indices of the frames that are.
 [[nodiscard]] std::vector<int> bad_frames(const SeriesRow& row, std::span<const FrameSummary> run);
 
-/// The cell that is to blame in this frame, where the row can say it; else -1. It has the smallest
-/// triangle of all, over the mean of its cell, or the largest volume error.
-[[nodiscard]] int worst_cell(const SeriesRow& row, const Snapshot& snapshot);
-
 /// Points of a curve or bars of a histogram.
 struct Curve {
     std::vector<float> x, y;

@@ -47,21 +47,24 @@ void draw_events(PanelContext& panel) {
 
 }  // namespace
 
-bool contact_is_new(const PanelModel& model) { return model.contact_is_new; }
+bool contact_is_new(const PanelModel& model) {
+    return model.opened_is_new && contact_of(model.opened).has_value();
+}
 
 void draw_contact(PanelContext& panel) {
     PanelModel& model = panel.model;
-    model.contact_is_new = false;
+    if (contact_is_new(model)) model.opened_is_new = false;
+    const std::optional<inspect::ContactKey> contact = contact_of(model.opened);
     const bool can_open = model.selection && model.selection->other_cell >= 0;
-    ImGui::BeginDisabled(!model.contact && !can_open);
-    if (ImGui::Button(model.contact ? "back to all cells" : "open the picked contact"))
+    ImGui::BeginDisabled(!contact && !can_open);
+    if (ImGui::Button(contact ? "back to all cells" : "open the picked contact"))
         panel.act(Action::open_contact);
     ImGui::EndDisabled();
-    if (!model.contact || panel.contact_history == nullptr) return;
+    if (!contact || panel.contact_history == nullptr) return;
     const std::vector<inspect::ContactSummary>& history = *panel.contact_history;
     ImGui::SameLine();
-    ImGui::TextDisabled(
-        "%s", fmt::format("{}, {} frames read", model.contact->text(), history.size()).c_str());
+    ImGui::TextDisabled("%s",
+                        fmt::format("{}, {} frames read", contact->text(), history.size()).c_str());
     const int frame = panel.snapshot == nullptr ? -1 : panel.snapshot->frame;
     const auto row = std::find_if(history.begin(), history.end(),
                                   [&](const auto& summary) { return summary.frame == frame; });

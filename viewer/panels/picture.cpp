@@ -91,7 +91,7 @@ void draw_picture(PanelContext& panel, float width, float height) {
     const ImVec2 size{shown.scale * static_cast<float>(image.width),
                       shown.scale * static_cast<float>(image.height)};
     shown.corner = ImGui::GetCursorScreenPos();
-    if (panel.shown->request.contact) {  // a sheet is not turned, and nothing in it is picked
+    if (panel.shown->request.sheet) {  // a sheet is not turned, and nothing in it is picked
         ImGui::Image(panel.texture, size);
         return;
     }

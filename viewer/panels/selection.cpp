@@ -36,6 +36,11 @@ void draw_selection(PanelContext& panel) {
     draw_table(rows);
     if (ImGui::Button("copy as CSV")) panel.act(Action::copy_table);
     ImGui::SameLine();
+    const bool shows_node =
+        panel.model.opened && std::holds_alternative<NodeOfCell>(*panel.model.opened);
+    if (ImGui::Button(shows_node ? "back to all cells" : "forces on the node"))
+        panel.act(Action::open_node);
+    ImGui::SameLine();
     if (ImGui::Button("forget")) panel.model.selection.reset();
 }
 

@@ -5,6 +5,6 @@
 namespace spheroscope {
 
 /// Draws the sheets and movies of `inspect`.
-[[nodiscard]] inspect::DrawContact contact_drawer();
+[[nodiscard]] inspect::Drawers inspect_drawers();
 
 }  // namespace spheroscope
