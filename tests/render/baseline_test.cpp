@@ -1,69 +1,21 @@
-// Pictures as they are must stay as they are until a person has looked.
-//
-// tests/render/baselines/NAME.png are small pictures of made-up snapshots. Each holds the text
-// "Drawn with". Where the same Mesa and VTK draw, every bit counts; elsewhere edges may move by a
-// pixel and generated code may round differently. A picture that differs is left in the build
-// folder beside a sheet with the difference: look at both, then copy it, and say in the commit what
-// changed.
+// Pictures of made-up snapshots as they are must stay as they are until a person has looked.
 #include "render/image_diff.hpp"
 #include "render/picture.hpp"
 #include "render/png.hpp"
+#include "tests/render/baseline.hpp"
 #include "tests/render/synthetic.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 
 namespace spheroscope::render {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr int k_threshold = 24;
-/// Elsewhere. One cell of the other sign is a twentieth of the pixels.
-constexpr ImageTolerance k_other_machine{255, 0.002, 0.98};
-const std::string k_drawn_with = "Drawn with";
-
-struct Drawn {
-    Image image;
-    std::string with;
-};
-
 Drawn draw(const Snapshot& snapshot, const scene::Picture& picture) {
     Renderer renderer(snapshot.header, picture);
     return {renderer.render(snapshot, {}), renderer.drawn_with()};
-}
-
-fs::path baseline_path(const std::string& name) {
-    return fs::path(SPHEROSCOPE_SOURCE_DIR) / "tests/render/baselines" / (name + ".png");
-}
-
-void expect_as_baseline(const std::string& name, const Drawn& drawn) {
-    EXPECT_EQ(blank_reason(drawn.image), "");
-    const fs::path folder = fs::path(SPHEROSCOPE_BINARY_DIR) / "baselines";
-    fs::create_directories(folder);
-    const auto keep = [&] {
-        write_png(folder / (name + ".png"), drawn.image, {{k_drawn_with, drawn.with}});
-        return (folder / (name + ".png")).string();
-    };
-    if (!fs::exists(baseline_path(name)))
-        FAIL() << "no baseline yet: look at " << keep() << ", then copy it to "
-               << baseline_path(name);
-    const PngFile baseline = read_png(baseline_path(name));
-    ASSERT_EQ(blank_reason(baseline.image), "");
-    const bool is_same_mesa = baseline.texts.at(k_drawn_with) == drawn.with;
-    const ImageDifference d = compare_images(baseline.image, drawn.image, k_threshold);
-    std::string reasons;
-    for (const std::string& reason :
-         broken_bounds(d, is_same_mesa ? ImageTolerance{} : k_other_machine))
-        reasons += "\n  " + reason;
-    if (reasons.empty()) return;
-    const fs::path sheet = folder / (name + "_sheet.png");
-    write_png(sheet, difference_sheet(baseline.image, drawn.image));
-    ADD_FAILURE() << name << " differs (" << (is_same_mesa ? "same" : "other")
-                  << " Mesa):" << reasons << "\nlook at " << sheet << ", and at " << keep();
 }
 
 /// Thirteen cells of 162 nodes: one in the middle, twelve around it.
