@@ -17,11 +17,11 @@ struct IndentingProbeParameters {
 /// Here
 ///
 ///   linear   p_i = k d_i, as that of the hull, with the overlap d_i = (R - |x_i - c|)+
-///   Hertz    per cell F = 4/3 E* sqrt(R_eff) d^1.5, 1/R_eff = 1/R + 1/R_cell, spread evenly over
-///   the
-///            touched area 2 pi R_eff d: p = 2/(3 pi) E* sqrt(d/R_eff). The depth d follows from
-///            the volume of the overlap, sum of a_i d_i = pi R_eff d^2, so that the law has the
-///            energy 8/15 E* sqrt(R_eff) d^2.5.
+///   Hertz    per cell F = 4/3 E* sqrt(R_eff) d^1.5, 1/R_eff = 1/R + 1/R_cell, as p_i = k(d) d_i
+///            with k = 4 E* / (3 pi sqrt(R_eff d)). The depth d follows from the overlaps: the sum
+///            of a_i d_i^2 / 2 is pi R_eff d^3 / 3 for two spheres, so that the law has the energy
+///            8/15 E* sqrt(R_eff) d^2.5 of all nodes. (The same force spread evenly over the
+///            touched area jumps whenever a node begins to touch, and never comes to rest.)
 class IndentingProbe final : public ForceTerm {
   public:
     /// One node that the probe touches.

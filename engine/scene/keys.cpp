@@ -456,8 +456,8 @@ const auto& keys() {
         Key{"stage", "probe_law", choose<&S::stages, &Stage::probe_law>(k_probe_laws), number, {},
             {}, in_indent, "", k_ours,
             "`linear`: pressure in proportion to the overlap of each node, as of the hull. `hertz`: "
-            "on each cell F = 4/3 E* sqrt(R_eff) d^1.5, spread evenly over the nodes that it "
-            "touches."},
+            "on each cell F = 4/3 E* sqrt(R_eff) d^1.5, spread over the nodes that it touches as "
+            "they overlap."},
         Key{"stage", "probe_modulus", reach<&S::stages, &Stage::probe_modulus_kPa>(), stiffness,
             positive, required, with_hertz, "20 kPa", k_ours, "E* of Hertz's law."},
         Key{"stage", "direction", reach<&S::stages, &Stage::direction>(), number, {}, {},

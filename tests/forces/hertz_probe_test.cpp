@@ -28,8 +28,8 @@ TEST(HertzProbe, PressesASphereWithHertzsForceOfItsDepth) {
         place_probe(cell, depth_um);
         const double expected = 4.0 / 3.0 * 20.0 * std::sqrt(R_eff_um) * std::pow(depth_um, 1.5);
         const double got = -hertz().sum_nN(cell.at()).z();
-        // The overlap of two spheres is a lens of volume pi R_eff d^2 up to d/R, and pushes along
-        // its normals, not along z; a shallow one is of few facets.
+        // The overlap of two spheres has the sum pi R_eff d^3 / 3 up to d/R, and pushes along its
+        // normals, not along z; a shallow one is of few facets.
         EXPECT_NEAR(got / expected, 1.0, depth_um < 1.0 ? 0.1 : 0.05) << depth_um;
     }
 }
@@ -53,6 +53,20 @@ TEST(HertzProbe, IsTheGradientOfItsEnergy) {
             if (F[i][k] != 0.0) ++n_touched;
         }
     EXPECT_GT(n_touched, 3U) << "more than one node";
+}
+
+TEST(HertzProbe, DoesNotJumpWhenANodeBeginsToTouch) {
+    TestCell cell(162);
+    double before_nN = 0.0;
+    for (double depth_um = -0.5; depth_um < 2.0; depth_um += 1e-3) {
+        place_probe(cell, depth_um);
+        const double now_nN = -hertz().sum_nN(cell.at()).z();
+        // dF/dd of Hertz's law is 147 nN/um at the end. A node with the uniform pressure of that law
+        // would bring 10 nN.
+        EXPECT_NEAR(now_nN, before_nN, 0.5) << depth_um;
+        before_nN = now_nN;
+    }
+    EXPECT_GT(before_nN, 100.0);
 }
 
 TEST(HertzProbe, HasAStiffnessThatIsNoLessThanThatOfItsForce) {
