@@ -45,6 +45,15 @@ class TableReader {
         return number_of(*value, key);
     }
 
+    /// A whole number from 100: fewer beads have no jamming point to speak of.
+    [[nodiscard]] int count_or(const std::string& key, int standard) {
+        const Value* value = optional(key);
+        if (value == nullptr) return standard;
+        if (value->kind != Value::Kind::integer || value->integer < 100 || value->integer > 100000)
+            refuse(*value, key, "a whole number from 100 to 100000");
+        return static_cast<int>(value->integer);
+    }
+
     [[nodiscard]] std::vector<std::string> texts(const std::string& key) {
         std::vector<std::string> texts;
         for (const Value& item : list(key)) texts.push_back(text_of(item, key));
@@ -118,11 +127,18 @@ ClaimedSetup read_setup(const Document& document, const Value& table) {
     ClaimedSetup setup;
     setup.loc = table.loc;
     setup.name = reader.text("name");
-    setup.scene = reader.text("scene");
+    setup.scene = reader.text_or("scene", "");
+    setup.beads = reader.count_or("beads", 0);
     setup.settings = reader.texts("set");
     setup.seeds = reader.seeds("seeds");
     setup.quick_seeds = reader.seeds("quick_seeds");
     reader.finish();
+    if (setup.scene.empty() == (setup.beads == 0))
+        throw Error(table.loc, fmt::format("setup '{}' wants either a scene or a number of beads",
+                                           setup.name));
+    if (setup.beads > 0 && !setup.settings.empty())
+        throw Error(table.loc,
+                    fmt::format("setup '{}' is of beads: there is nothing to set", setup.name));
     if (setup.seeds.empty())
         throw Error(table.loc, fmt::format("setup '{}' has no seeds", setup.name),
                     "seeds = [1, 2, 3, 4, 5]");

@@ -12,11 +12,12 @@
 // says, and how far from it still counts as the same. Written before the runs; the verdicts follow.
 namespace spheroscope::claims {
 
-/// Runs of one scene that differ in their seed alone.
+/// Runs of one scene that differ in their seed alone; or beads without cells.
 struct ClaimedSetup {
     Loc loc;
     std::string name;                        ///< folder of its runs: "case_a"
     std::string scene;                       ///< path, relative to the file of claims
+    int beads = 0;                           ///< > 0: so many are jammed, and there is no scene
     std::vector<std::string> settings;       ///< "key=value", as --set takes them
     std::vector<std::uint64_t> seeds;        ///< that --full runs
     std::vector<std::uint64_t> quick_seeds;  ///< that --quick runs; empty: left out there

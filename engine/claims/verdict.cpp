@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace spheroscope::claims {
 namespace {
@@ -140,6 +141,12 @@ bool is_by_less_than_its_error(const Claim& claim, const Estimate& value) {
     return margin < 2.0 * value.standard_error;
 }
 
+/// "150 x 642, traction"; "1000 beads"
+std::string size_text(const MeasuredSetup& setup) {
+    return setup.n_nodes == 0 ? fmt::format("{} beads", setup.n_cells)
+                              : fmt::format("{} x {}, {}", setup.n_cells, setup.n_nodes, setup.law);
+}
+
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
@@ -200,7 +207,8 @@ reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
              number_cell(row.value.mean), number_cell(row.value.standard_error),
              std::int64_t{row.value.n}, setup == nullptr ? "" : setup->law,
              setup == nullptr ? reports::TableCell{none} : std::int64_t{setup->n_cells},
-             setup == nullptr ? reports::TableCell{none} : std::int64_t{setup->n_nodes},
+             setup == nullptr || setup->n_nodes == 0 ? reports::TableCell{none}
+                                                     : std::int64_t{setup->n_nodes},
              std::string(name_of(row.verdict)), row.reason});
     }
     return table;
@@ -216,7 +224,8 @@ reports::ReportTable runs_report(const MeasuredSetups& measured) {
                                                   run.outcome, run.time_s,
                                                   run.wall_s,  run.version};
             for (const TotalsRow& row : all_totals())
-                cells.push_back(number_cell(value_of(row, run.totals)));
+                cells.push_back(number_cell(run.totals ? value_of(row, *run.totals)
+                                                       : std::numeric_limits<double>::quiet_NaN()));
             table.rows.push_back(std::move(cells));
         }
     return table;
@@ -237,10 +246,7 @@ std::string claims_markdown(const std::vector<JudgedClaim>& judged,
                             with_unit(claim.paper.text(), claim.unit),
                             claim.tolerance == 0.0 ? "" : fmt::format("{:.4g}", claim.tolerance),
                             with_unit(value_text(row.value), claim.unit), row.value.n,
-                            setup == nullptr ? "-"
-                                             : fmt::format("{} x {}, {}", setup->n_cells,
-                                                           setup->n_nodes, setup->law),
-                            verdict);
+                            setup == nullptr ? "-" : size_text(*setup), verdict);
     }
     return text;
 }

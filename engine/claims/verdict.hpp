@@ -5,6 +5,7 @@
 #include "engine/statistics/setup_numbers.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,7 @@ struct MeasuredRun {
     std::uint64_t seed = 0;
     std::string outcome, version;
     double time_s = 0.0, wall_s = 0.0;
-    Totals totals{};
+    std::optional<Totals> totals = {};  ///< of cells; beads have none
 };
 
 /// What was measured of one setup, or why nothing was.
@@ -25,7 +26,7 @@ struct MeasuredSetup {
     std::vector<std::string> troubles;  ///< "seed 3: unstable: ...", one for each run that failed
     std::vector<std::string> remarks;   ///< "seed 2 ended at its cap"
     std::string law;                    ///< of contact
-    int n_cells = 0, n_nodes = 0;
+    int n_cells = 0, n_nodes = 0;       ///< of beads: their number, and 0
     std::vector<MeasuredRun> runs;
 };
 /// By the setup's name; one that is not there was left out.

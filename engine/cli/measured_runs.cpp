@@ -2,6 +2,7 @@
 
 #include "engine/store/run_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spheroscope::cli {
@@ -21,6 +22,16 @@ std::vector<statistics::LoadPoint> load_of(const RunFileReader& reader, const Sn
     return load;
 }
 
+/// The frames with a wall.
+std::vector<statistics::WallPoint> wall_of(const RunFileReader& reader) {
+    const std::vector<double> radius_um = reader.number_of_frames("wall_radius");
+    const std::vector<double> force_nN = reader.number_of_frames("wall_force");
+    std::vector<statistics::WallPoint> wall;
+    for (std::size_t i = 0; i < std::min(radius_um.size(), force_nN.size()); ++i)
+        if (radius_um[i] > 0.0) wall.push_back({radius_um[i], force_nN[i]});
+    return wall;
+}
+
 }  // namespace
 
 statistics::RunStatistics measure_stored_run(const std::string& file) {
@@ -30,6 +41,7 @@ statistics::RunStatistics measure_stored_run(const std::string& file) {
         const SnapshotPtr last = reader.frame(reader.n_frames() - 1);
         statistics::RunStatistics run = statistics::measure_run(last);
         run.load = load_of(reader, *last);
+        run.wall = wall_of(reader);
         run.file = file;
         run.outcome = reader.outcome();
         return run;

@@ -1,4 +1,5 @@
 #include "engine/claims/verdict.hpp"
+#include "engine/cli/bead_setup.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/log.hpp"
@@ -100,9 +101,12 @@ std::optional<statistics::RunStatistics> measured_run(const ClaimTable& table,
 MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
                             const std::string& folder, const Extent& extent,
                             const CommonOptions& options, const Invocation& invocation) {
+    const std::vector<std::uint64_t>& seeds = extent.quick_seeds ? setup.quick_seeds : setup.seeds;
+    if (setup.beads > 0)
+        return measure_beads(setup, folder, seeds, extent.makes_runs, invocation.version);
     MeasuredSetup measured;
     statistics::SetupStatistics runs;
-    for (const std::uint64_t seed : extent.quick_seeds ? setup.quick_seeds : setup.seeds) {
+    for (const std::uint64_t seed : seeds) {
         if (interrupt_signal() != 0) break;
         const RunPlace place{run_folder(folder, setup, seed)};
         try {
@@ -168,10 +172,11 @@ reports::ReportTable numbers_table(const MeasuredSetups& measured) {
             const auto cell = [&](double value) {
                 return std::isnan(value) ? reports::TableCell{none} : reports::TableCell{value};
             };
-            table.rows.push_back({name, number.name, number.unit, cell(number.estimate.mean),
-                                  cell(number.estimate.standard_error),
-                                  std::int64_t{number.estimate.n}, setup.law,
-                                  std::int64_t{setup.n_cells}, std::int64_t{setup.n_nodes}});
+            table.rows.push_back(
+                {name, number.name, number.unit, cell(number.estimate.mean),
+                 cell(number.estimate.standard_error), std::int64_t{number.estimate.n}, setup.law,
+                 std::int64_t{setup.n_cells},
+                 setup.n_nodes == 0 ? reports::TableCell{none} : std::int64_t{setup.n_nodes}});
         }
     return table;
 }
@@ -248,7 +253,7 @@ ExitCode reproduce(const ReproduceArguments& arguments, const Invocation& invoca
     check_only(table, arguments.only);
     // A mistake in a scene is found before hours of runs.
     for (const ClaimedSetup& setup : table.setups)
-        static_cast<void>(scene_of(table, setup, setup.seeds.front()));
+        if (setup.beads == 0) static_cast<void>(scene_of(table, setup, setup.seeds.front()));
     const std::string folder = report_folder(arguments.common, "out/reproduce");
 
     MeasuredSetups measured;

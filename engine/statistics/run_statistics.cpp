@@ -1,5 +1,6 @@
 #include "engine/statistics/run_statistics.hpp"
 
+#include "engine/run/aggregate_shape.hpp"
 #include "engine/statistics/seed_mean.hpp"
 #include "engine/statistics/void_fraction.hpp"
 
@@ -87,6 +88,7 @@ RunStatistics measure_run(const SnapshotPtr& frame) {
     run.setup = setup_of(header);
     run.totals = frame->totals;
     run.R_th_um = aggregate.R_th_um;
+    run.extent_um = aggregate_extent_um(*frame);
     const Probes probes = random_probes(aggregate, header.seed);
     run.sigma_h_nearest_kPa =
         sample_cells(aggregate, probes, aggregate.sigma_h_kPa, Interpolation::nearest_cell);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/statistics/bulk_modulus.hpp"
 #include "engine/statistics/cell_stress.hpp"
 #include "engine/statistics/contact_forces.hpp"
 #include "engine/statistics/coordination.hpp"
@@ -39,16 +40,19 @@ struct RunStatistics {
     std::vector<CellStress> equal_kPa, area_kPa;  ///< [cells] both weightings
     std::vector<PairForce> pairs;
     double touching_area_um2 = 0.1;
-    std::vector<LoadPoint> load;  ///< frame by frame; whoever reads the file fills it in
+    // Frame by frame; whoever reads the file fills it in.
+    std::vector<LoadPoint> load;
+    std::vector<WallPoint> wall;
+    double extent_um = 0.0;  ///< distance of the farthest node from the middle
 
     [[nodiscard]] double coordination_at(double threshold_um2) const;
     /// Mean over the cells of one number of their stress, kPa; NaN where no cell touches another.
     [[nodiscard]] double mean_stress_kPa(const CellStressRow& row, Weighting weighting) const;
 };
 
-/// Measures one frame of a run: some tenths of a second; `file`, `outcome` and `load` are left
-/// empty. Throws Error when there is no mechanics in it (no contacts in the scene, beads that are
-/// being packed), or it cannot be evaluated.
+/// Measures one frame of a run: some tenths of a second; `file`, `outcome`, `load` and `wall` are
+/// left empty. Throws Error when there is no mechanics in it (no contacts in the scene, beads that
+/// are being packed), or it cannot be evaluated.
 [[nodiscard]] RunStatistics measure_run(const SnapshotPtr& frame);
 
 /// Replicates: runs of one setup, ascending by seed.

@@ -5,6 +5,7 @@
 #include "engine/statistics/void_fraction.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace spheroscope::statistics {
 namespace {
@@ -88,6 +89,16 @@ void add_profile(Numbers& numbers, const SetupStatistics& setup) {
     });
 }
 
+void add_bulk_modulus(Numbers& numbers) {
+    numbers.add("bulk_modulus_moving", "kPa",
+                [](const RunStatistics& run) { return bulk_modulus_moving_kPa(run.wall); });
+    numbers.add("bulk_modulus_held", "kPa", [](const RunStatistics& run) {
+        // Under a bead the aggregate is not free.
+        return run.load.empty() ? bulk_modulus_held_kPa(run.wall, run.extent_um)
+                                : std::numeric_limits<double>::quiet_NaN();
+    });
+}
+
 void add_regions(Numbers& numbers) {
     for (std::size_t r = 0; r < k_regions.size(); ++r)
         numbers.add("gamma_eff, " + std::string(name_of(k_regions[r])), "mN/m",
@@ -136,6 +147,7 @@ std::vector<SetupNumber> numbers_of(const SetupStatistics& setup) {
     Numbers numbers(setup);
     add_totals(numbers);
     add_profile(numbers, setup);
+    add_bulk_modulus(numbers);
     add_regions(numbers);
     add_stresses(numbers);
     add_forces(numbers, setup);

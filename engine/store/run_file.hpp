@@ -83,6 +83,10 @@ class RunFileReader {
     /// Throws Error if there is no such frame.
     [[nodiscard]] SnapshotPtr frame(int frame) const;
 
+    /// One number of all frames, by its name in /diagnostics: fast, no frame is read. Throws Error
+    /// when the file does not have it.
+    [[nodiscard]] std::vector<double> number_of_frames(const std::string& name) const;
+
     /// What was changed during the run, in order: with it the scene gives the same run again.
     [[nodiscard]] const std::vector<Change>& changes() const { return changes_; }
     [[nodiscard]] const RunEnd& end() const { return end_; }

@@ -123,6 +123,13 @@ double RunFileReader::time(int frame) const {
     return time_s_[static_cast<std::size_t>(frame)];
 }
 
+std::vector<double> RunFileReader::number_of_frames(const std::string& name) const {
+    const File file(path_, File::Mode::read);
+    for (const run_format::Column& column : run_format::columns())
+        if (column.name == name) return file.read_array<double>(run_format::column_path(column));
+    file.fail("there is no number '" + name + "' of its frames");
+}
+
 /// A change is made with the step that begins at its time, after the frame of that time.
 std::shared_ptr<const std::vector<Change>> RunFileReader::changes_before(double time_s) const {
     const auto end = std::find_if(changes_.begin(), changes_.end(),

@@ -86,6 +86,11 @@ TEST(ClaimTable, NamesThePlaceOfAMistake) {
         {claim(good + "is = 1\n") + k_setups, "two setups 'a'"},
         {"[[setup]]\nname = \"a\"\nscene = \"b\"\nseeds = [1, 1]\n", "each seed once"},
         {"[[setup]]\nname = \"a\"\nscene = \"b\"\n", "has no seeds"},
+        {"[[setup]]\nname = \"a\"\nseeds = [1]\n", "either a scene or a number of beads"},
+        {"[[setup]]\nname = \"a\"\nscene = \"b\"\nbeads = 500\nseeds = [1]\n",
+         "either a scene or a number of beads"},
+        {"[[setup]]\nname = \"a\"\nbeads = 5\nseeds = [1]\n", "from 100 to 100000"},
+        {"[[setup]]\nname = \"a\"\nbeads = 500\nset = [\"b=1\"]\nseeds = [1]\n", "nothing to set"},
         {"[figure]\n", "my.claims:1:1: error: a file of claims has no 'figure'"},
     };
     for (const auto& [text, message] : mistakes)

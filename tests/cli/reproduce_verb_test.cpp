@@ -53,6 +53,38 @@ class Reproduce : public ProgramRunner {
     }
 };
 
+TEST_F(Reproduce, JamsBeadsOnceAndKeepsWhatCameOut) {
+    write_file("small.claims", R"(
+[[setup]]
+name = "beads"
+beads = 150
+seeds = [1, 2]
+quick_seeds = [1]
+[[claim]]
+id = "they_jam"
+source = "of its own"
+says = "somewhere near random close packing"
+setup = "beads"
+number = "jamming_fraction"
+between = [0.60, 0.66]
+)");
+    const Outcome quick = reproduce("--quick");
+    ASSERT_EQ(quick.code, 0) << quick.err;
+    EXPECT_EQ(verdict(quick, 0), "agrees");
+    const std::filesystem::path kept = path("out/beads/seed=1/jamming.json");
+    const auto made = std::filesystem::last_write_time(kept);
+    const Outcome full = reproduce("--full");
+    EXPECT_EQ(nlohmann::json::parse(full.out)["claims"][0]["seeds"], 2);
+    EXPECT_EQ(std::filesystem::last_write_time(kept), made);
+    EXPECT_EQ(reproduce("--stored").code, 0);
+
+    std::ofstream(kept) << "{\"beads\": 150}";  // half a file
+    const Outcome damaged = reproduce("--stored");
+    EXPECT_EQ(damaged.code, 3);
+    EXPECT_NE(damaged.err.find("jamming.json"), std::string::npos) << damaged.err;
+    EXPECT_EQ(nlohmann::json::parse(damaged.out)["claims"][0]["seeds"], 1);
+}
+
 TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
     const Outcome quick = reproduce("--quick");
     ASSERT_EQ(quick.code, 0) << quick.err;

@@ -68,6 +68,18 @@ TEST_F(RunFile, AReaderFromBeforeStillReadsItsFramesWhileTheFileGrows) {
     expect_equal(*reader.frame(1), make_frame(header_, 1));
 }
 
+TEST_F(RunFile, ANumberOfAllFramesNeedsNoFrame) {
+    RunFileWriter writer = create(path_);
+    write_frames(writer, 4);
+    const RunFileReader reader(path_);
+    const std::vector<double> radius_um = reader.number_of_frames("wall_radius");
+    ASSERT_EQ(radius_um.size(), 4U);
+    for (int i = 0; i < 4; ++i)
+        EXPECT_EQ(radius_um[static_cast<std::size_t>(i)],
+                  reader.frame(i)->diagnostics.wall_radius_um);
+    EXPECT_THROW(static_cast<void>(reader.number_of_frames("wall_colour")), Error);
+}
+
 TEST_F(RunFile, AFrameKnowsWhatHadChangedBeforeIt) {
     RunFileWriter writer = create(path_);
     write_frames(writer, 4);  // every 0.1 s

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace spheroscope::test {
+namespace spheroscope {
 
 /// A bead packing in a periodic cube of edge 1, settled at one packing fraction.
 struct SettledBeads {
@@ -24,8 +24,13 @@ struct JammingRun {
 };
 
 /// radius [n]: only ratios matter. Stops at a distance of `nearest` above the jamming fraction.
+/// Throws Error when the beads do not settle.
 [[nodiscard]] JammingRun decompress_to_jamming(const std::vector<double>& radius,
                                                double first_fraction, double nearest,
                                                std::uint64_t seed);
 
-}  // namespace spheroscope::test
+/// Exponent of Z - 6 over the distance from jamming (1/2 in O'Hern et al. 2003), fitted where Z - 6
+/// is well above its scatter. Throws Error when fewer than three packings are.
+[[nodiscard]] double coordination_exponent(const JammingRun& run);
+
+}  // namespace spheroscope

@@ -1,4 +1,4 @@
-#include "jamming.hpp"
+#include "engine/stages/jamming.hpp"
 
 #include "engine/base/error.hpp"
 #include "engine/base/random.hpp"
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace spheroscope::test {
+namespace spheroscope {
 namespace {
 
 std::vector<double> scaled_to(double packing_fraction, std::vector<double> radius) {
@@ -106,4 +106,22 @@ JammingRun decompress_to_jamming(const std::vector<double>& radius, double first
     }
 }
 
-}  // namespace spheroscope::test
+double coordination_exponent(const JammingRun& run) {
+    // Slope of log(Z - 6) against log(distance): Z scatters by 0.02.
+    constexpr double nearest = 4e-4;
+    double n = 0.0, sum_x = 0.0, sum_y = 0.0, sum_xx = 0.0, sum_xy = 0.0;
+    for (const SettledBeads& settled : run.settled) {
+        const double above = settled.packing_fraction - run.jamming_fraction;
+        if (above < nearest) continue;
+        const double x = std::log(above), y = std::log(settled.coordination - 6.0);
+        n += 1.0;
+        sum_x += x;
+        sum_y += y;
+        sum_xx += x * x;
+        sum_xy += x * y;
+    }
+    if (n < 3.0) throw Error("too few packings above jamming for an exponent");
+    return (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
+}
+
+}  // namespace spheroscope
