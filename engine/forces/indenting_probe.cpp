@@ -63,8 +63,8 @@ template <class Visit> void for_each_touch(const Configuration& at, int cell,
     if (nodes.empty()) return;
     double k_kPa_per_um = parameters.k_kPa_per_um;
     if (parameters.hertz_modulus_kPa > 0.0) {
-        // Its k falls as the overlap grows. That is left out of the slope: it couples all nodes of the
-        // cell, and without it the slope is larger than the exact one by up to a third.
+        // Its k falls as the overlap grows. That is left out of the slope: it couples all nodes of
+        // the cell, and without it the slope is larger than the exact one by up to a third.
         const Hertz law(nodes, parameters.hertz_modulus_kPa, at.load.probe.radius_um,
                         at.model.radius_um[static_cast<std::size_t>(cell)]);
         k_kPa_per_um = law.k_kPa_per_um;

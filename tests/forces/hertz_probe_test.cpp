@@ -61,8 +61,8 @@ TEST(HertzProbe, DoesNotJumpWhenANodeBeginsToTouch) {
     for (double depth_um = -0.5; depth_um < 2.0; depth_um += 1e-3) {
         place_probe(cell, depth_um);
         const double now_nN = -hertz().sum_nN(cell.at()).z();
-        // dF/dd of Hertz's law is 147 nN/um at the end. A node with the uniform pressure of that law
-        // would bring 10 nN.
+        // dF/dd of Hertz's law is 147 nN/um at the end. A node with the uniform pressure of that
+        // law would bring 10 nN.
         EXPECT_NEAR(now_nN, before_nN, 0.5) << depth_um;
         before_nN = now_nN;
     }

@@ -29,8 +29,7 @@ void expect_as_baseline(const std::string& name, const Drawn& drawn) {
                << baseline_path(name);
     const PngFile baseline = read_png(baseline_path(name));
     ASSERT_EQ(blank_reason(baseline.image), "");
-    const bool is_same_mesa =
-        !drawn.with.empty() && baseline.texts.at(k_drawn_with) == drawn.with;
+    const bool is_same_mesa = !drawn.with.empty() && baseline.texts.at(k_drawn_with) == drawn.with;
     const ImageDifference d = compare_images(baseline.image, drawn.image, k_threshold);
     std::string reasons;
     for (const std::string& reason :
