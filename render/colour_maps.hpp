@@ -7,6 +7,15 @@
 
 namespace spheroscope::render {
 
+/// For lines and arrows: told apart with all kinds of colour vision (Okabe and Ito 2008).
+inline constexpr std::array<Rgb, 7> k_distinct_colours{{{0, 114, 178},
+                                                        {213, 94, 0},
+                                                        {0, 158, 115},
+                                                        {204, 121, 167},
+                                                        {86, 180, 233},
+                                                        {230, 159, 0},
+                                                        {60, 60, 60}}};
+
 /// A table of colours from the low end of a range to its high end, with one colour for each side
 /// outside. Both maps are curves in the Oklab colour space (Ottosson 2020), cut into steps of equal
 /// length there, so that equal steps of the value look equal.

@@ -50,12 +50,6 @@ Vec3 point(const std::vector<float>& values, std::size_t i) {
     return {double{values[3 * i]}, double{values[3 * i + 1]}, double{values[3 * i + 2]}};
 }
 
-std::string minus_sign(std::string text) {
-    for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at + 3))
-        text.replace(at, 1, "\u2212");
-    return text;
-}
-
 /// "A", "B" and what is left of a picture when both are pulled apart.
 struct PulledApart {
     Snapshot cells;                                   ///< two cells

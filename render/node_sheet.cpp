@@ -1,6 +1,7 @@
 #include "render/node_sheet.hpp"
 
 #include "render/canvas.hpp"
+#include "render/colour_maps.hpp"
 #include "render/layers/furniture.hpp"
 #include "render/range.hpp"
 #include "render/strokes.hpp"
@@ -19,16 +20,6 @@ namespace {
 
 constexpr Rgb k_ink{38, 40, 44}, k_soft_ink{104, 108, 116}, k_white{255, 255, 255};
 constexpr Rgb k_surface{214, 219, 227}, k_edge{150, 157, 168}, k_paper{246, 247, 248};
-// Colours that a reader without red or green can tell apart (Okabe and Ito 2008); rows that are
-// more than these begin again, and have their numbers.
-constexpr std::array<Rgb, 7> k_colours{{{0, 114, 178},
-                                        {230, 159, 0},
-                                        {0, 158, 115},
-                                        {213, 94, 0},
-                                        {86, 180, 233},
-                                        {204, 121, 167},
-                                        {60, 60, 66}}};
-
 // Places, px.
 constexpr int k_view_x = 30, k_view_width = 700, k_view_height = 390;
 constexpr int k_side_y = 140, k_outside_y = 580;
@@ -50,19 +41,16 @@ Vec3 point(const std::vector<float>& values, int i) {
     return {double{values[at]}, double{values[at + 1]}, double{values[at + 2]}};
 }
 
-std::string minus_sign(std::string text) {
-    for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at + 3))
-        text.replace(at, 1, "\u2212");
-    return text;
-}
-
 /// A force that has an arrow.
 struct Row {
     std::string name;
     Vec3 force_nN;
     bool is_friction;
     int number;
-    [[nodiscard]] Rgb colour() const { return k_colours[idx(number - 1) % k_colours.size()]; }
+    /// Rows that are more than the colours begin again; they have their numbers.
+    [[nodiscard]] Rgb colour() const {
+        return k_distinct_colours[idx(number - 1) % k_distinct_colours.size()];
+    }
 };
 
 std::vector<Row> rows_of(const inspect::NodeForces& forces) {

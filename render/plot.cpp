@@ -44,14 +44,6 @@ constexpr int k_title_px = 50;
 constexpr int k_legend_row_px = 24, k_caption_row_px = 18;
 constexpr int k_colour_bar_px = 110;  // beside a map
 
-/// Okabe and Ito 2008: told apart with all kinds of colour vision.
-constexpr std::array<Rgb, 7> k_colours{{{0, 114, 178},
-                                        {213, 94, 0},
-                                        {0, 158, 115},
-                                        {204, 121, 167},
-                                        {86, 180, 233},
-                                        {230, 159, 0},
-                                        {60, 60, 60}}};
 constexpr std::array<int, 5> k_markers{vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE,
                                        vtkPlotPoints::DIAMOND, vtkPlotPoints::CROSS,
                                        vtkPlotPoints::PLUS};
@@ -213,7 +205,7 @@ class Styles {
     }
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
     [[nodiscard]] Rgb colour(const std::string& name) const {
-        return k_colours[numbers_.at(name) % k_colours.size()];
+        return k_distinct_colours[numbers_.at(name) % k_distinct_colours.size()];
     }
     [[nodiscard]] Rgb colour(const reports::Plot::Series& series) const {
         return colour(series.colour_of.empty() ? series.name : series.colour_of);

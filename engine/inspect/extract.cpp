@@ -177,7 +177,9 @@ ExtractedPair extract_pair(FrameSystem& frame, const ContactKey& key, const std:
     const std::vector<scene::Override> overrides = overrides_of(frame.frame());
     const scene::Scene scene =
         scene::parse_scene(result.scene_toml, "the extracted scene", overrides);
-    if (!overrides.empty()) result.scene_toml = scene.resolved_toml;
+    if (!overrides.empty())  // under the comment that says where it comes from
+        result.scene_toml =
+            result.scene_toml.substr(0, result.scene_toml.find("\n[")) + "\n" + scene.resolved_toml;
     auto header = std::make_shared<RunHeader>();
     header->topology = two.system().model().topology;
     header->n_cells = 2;

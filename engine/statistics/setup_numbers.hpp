@@ -24,7 +24,7 @@ struct SetupNumber {
 };
 
 /// Everything that is one number per run, over the seeds of a setup: totals, regions, stresses of
-/// cells, pores, depths of the profile, contact forces. Some are of all runs
+/// cells, pores, depths of the profile, bulk modulus, contact forces. Some are of all runs
 /// together: depths of the pooled profile, whose error is the jackknife's, and the exponent of the
 /// pooled forces, whose error is the bootstrap's.
 [[nodiscard]] std::vector<SetupNumber> numbers_of(const SetupStatistics& setup);

@@ -237,6 +237,12 @@ void draw_furniture(Image& image, TextPainter& text, const Furniture& furniture)
     if (furniture.longest_axis_kPa) writer.stress_axes_key(x, y, *furniture.longest_axis_kPa);
 }
 
+std::string minus_sign(std::string text) {
+    for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at + 3))
+        text.replace(at, 1, "\u2212");
+    return text;
+}
+
 std::string time_text(double time_s, int decimals) {
     if (time_s < 600.0) return fmt::format("t = {:.{}f} s", time_s, decimals);
     const auto seconds = static_cast<long>(std::lround(time_s));

@@ -52,5 +52,7 @@ void draw_furniture(Image& image, TextPainter& text, const Furniture& furniture)
 
 /// "t = 12.4 s", "t = 12 min 30 s"; `decimals` of the seconds below ten minutes.
 [[nodiscard]] std::string time_text(double time_s, int decimals);
+/// Each hyphen of a number as the sign that is as wide as a plus: "-1.2e-05".
+[[nodiscard]] std::string minus_sign(std::string text);
 
 }  // namespace spheroscope::render

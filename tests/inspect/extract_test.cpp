@@ -76,7 +76,9 @@ TEST(ExtractedPair, HasTheParametersThatTheRunHadByThen) {
     }
     const double wanted = force_of(*run.last(), 0, 1);
     EXPECT_NEAR(force_of(*pair.frames.front(), 0, 1), wanted, 1e-3 * std::abs(wanted));
-    const scene::Scene extracted = scene::parse_scene(extract(run, {0, 1}).scene_toml, "extracted");
+    const std::string text_of_pair = extract(run, {0, 1}).scene_toml;
+    EXPECT_TRUE(text_of_pair.starts_with("# Cells 0 and 1 of a run of")) << text_of_pair;
+    const scene::Scene extracted = scene::parse_scene(text_of_pair, "extracted");
     EXPECT_DOUBLE_EQ(extracted.contact->omega_nN_per_um, 0.2);
     EXPECT_DOUBLE_EQ(extracted.cortex.tension->gamma_nN_per_um, 0.7);
 }

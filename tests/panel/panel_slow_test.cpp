@@ -190,7 +190,7 @@ TEST_F(Panel, LooksAsItsBaseline) {
     // The run is computed anew, so that bits may differ where libraries choose other instructions.
     const render::Drawn last{render::read_png(path("out/last.png")).image, ""};
     render::expect_as_baseline("panel", last);
-    // The frame before has another time and a thinner cursor in each plot: that is seen, too.
+    // The frame before has another time, other numbers and its cursors elsewhere: that is seen.
     const render::Image before = render::read_png(path("out/panel.png")).image;
     const render::Image baseline = render::read_png(render::baseline_path("panel")).image;
     EXPECT_FALSE(
