@@ -113,4 +113,34 @@ void CellMatrix::add_diagonal(std::span<Mat3> blocks) const {
     }
 }
 
+Mat3 CellMatrix::against_translation() const {
+    Mat3 sum = Mat3::Zero();
+    for (const CellStiffness::Node& e : nodes_) {
+        const Vec3 n = VectorTraits<Vec3>::from(e.direction);
+        sum += double{e.coefficient} * n * n.transpose();
+    }
+    return sum;
+}
+
+Mat3 CellMatrix::against_rotation(std::span<const Vec3> arm) const {
+    // [d] W [d]^T with [d] u = d x u; only its symmetric part is left in the sum
+    Mat3 sum = Mat3::Zero();
+    for (int i = 0; i < couplings_->n_nodes(); ++i) {
+        const Block3* block = blocks_.data() + couplings_->first(i);
+        for (const std::uint16_t j : couplings_->others(i)) {
+            const Mat3 W = (block++)->mat3();
+            const Vec3 d = arm[j] - arm[idx(i)];
+            const Mat3 from_left = W.colwise().cross(d);
+            sum += from_left.rowwise().cross(d.transpose());
+        }
+    }
+    const Mat3 transposed = sum.transpose();
+    sum = 0.5 * (sum + transposed);
+    for (const CellStiffness::Node& e : nodes_) {
+        const Vec3 lever = arm[e.node].cross(VectorTraits<Vec3>::from(e.direction));
+        sum += double{e.coefficient} * lever * lever.transpose();
+    }
+    return sum;
+}
+
 }  // namespace spheroscope

@@ -33,6 +33,10 @@ class CellMatrix {
     void add_product(std::span<const Lanes> u, std::span<Lanes> out) const;
     /// Adds the 3x3 diagonal blocks to `blocks` [n_nodes].
     void add_diagonal(std::span<Mat3> blocks) const;
+    /// What it has against moving all nodes alike: T^T matrix T with T = (1, 1, ...).
+    [[nodiscard]] Mat3 against_translation() const;
+    /// The same of turning: R^T matrix R, where R_i omega = omega x arm[i], arm [n_nodes].
+    [[nodiscard]] Mat3 against_rotation(std::span<const Vec3> arm) const;
 
   private:
     /// The block between two different nodes gets factor * g_i g_j^T of a squared form.

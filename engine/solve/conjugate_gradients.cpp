@@ -48,7 +48,8 @@ class ConjugateGradients::Solve {
           Workers::Member& member)
         : arrays_(arrays), system_(system), preconditioner_(preconditioner), b_(b), x_(x),
           member_(member), cells_(member.share(system.model.n_cells())),
-          groups_(member.share(system.n_groups())) {}
+          groups_(member.share(system.n_groups())), motions_(preconditioner.rigid_motions()),
+          translations_(arrays.translations_[idx(member.index())]) {}
 
     SolveOutcome run(double tolerance, int largest_iterations) {
         SolveOutcome outcome;
@@ -85,7 +86,8 @@ class ConjugateGradients::Solve {
         member_.wait();
     }
 
-    /// z = B r, and the sums of r with z and with itself.
+    /// z = B r, and the sums of r with z and with itself. The part of z that moves cells as wholes
+    /// follows when all of them are there: find_translations().
     void precondition(int cell) {
         const std::span<Lanes> r = of_cell(arrays_.residual_, cell);
         const std::span<Lanes> z = of_cell(arrays_.preconditioned_, cell);
@@ -95,8 +97,30 @@ class ConjugateGradients::Solve {
             rz.add(i, r[i], z[i]);
             rr.add(i, r[i], r[i]);
         }
+        if (motions_ != nullptr) {
+            Lanes force;
+            for (const Lanes& of_node : r) force += of_node;
+            for (int k = 0; k < 3; ++k)
+                arrays_.sum_r_[idx(3 * cell + k)] = static_cast<double>(force.lane[k]);
+        }
         arrays_.sum_rz_[idx(cell)] = rz.total();
         arrays_.sum_rr_[idx(cell)] = rr.total();
+    }
+
+    /// r.z of all cells, after a barrier. Every member finds the translations for itself: that
+    /// takes less than another barrier, and gives the same bits.
+    double find_translations() {
+        double rz = total(arrays_.sum_rz_);
+        if (motions_ == nullptr) return rz;
+        motions_->translations(arrays_.sum_r_, translations_.of_cells, translations_.work);
+        for (std::size_t k = 0; k < arrays_.sum_r_.size(); ++k)
+            rz += arrays_.sum_r_[k] * translations_.of_cells[k];
+        return rz;
+    }
+    Lanes translation(int cell) const {
+        if (motions_ == nullptr) return {};
+        const double* const v = &translations_.of_cells[idx(3 * cell)];
+        return Lanes(Vec3(v[0], v[1], v[2]));
     }
 
     /// r = b - A x; correction = 0.
@@ -122,7 +146,7 @@ class ConjugateGradients::Solve {
         }
         member_.wait();
         rr_ = total(arrays_.sum_rr_);
-        rz_ = total(arrays_.sum_rz_);
+        rz_ = find_translations();
     }
 
     void residual_in_single() {
@@ -152,7 +176,7 @@ class ConjugateGradients::Solve {
         }
         member_.wait();
         rr_ = total(arrays_.sum_rr_);
-        rz_ = total(arrays_.sum_rz_);
+        rz_ = find_translations();
     }
 
     /// Until |r|^2 <= enough. Returns the iterations.
@@ -165,10 +189,11 @@ class ConjugateGradients::Solve {
             for (int cell = cells_.begin; cell < cells_.end; ++cell) {
                 const std::span<Lanes> p = of_cell(arrays_.direction_, cell);
                 const std::span<const Lanes> z = of_cell(arrays_.preconditioned_, cell);
+                const Lanes whole = translation(cell);
                 if (iteration == 1)
-                    std::copy(z.begin(), z.end(), p.begin());
+                    for (std::size_t i = 0; i < p.size(); ++i) p[i] = z[i] + whole;
                 else
-                    for (std::size_t i = 0; i < p.size(); ++i) p[i] = z[i] + beta * p[i];
+                    for (std::size_t i = 0; i < p.size(); ++i) p[i] = z[i] + whole + beta * p[i];
             }
             member_.wait();
             multiply_groups(direction);
@@ -196,7 +221,7 @@ class ConjugateGradients::Solve {
             member_.wait();
             rr_ = total(arrays_.sum_rr_);
             record();
-            const double next_rz = total(arrays_.sum_rz_);
+            const double next_rz = find_translations();
             beta = static_cast<float>(next_rz / rz_);
             rz_ = next_rz;
         }
@@ -225,6 +250,8 @@ class ConjugateGradients::Solve {
     std::span<Vec3> x_;
     Workers::Member& member_;
     Workers::Member::Range cells_, groups_;
+    const RigidMotions* motions_;  // or nullptr
+    Translations& translations_;
     double bb_ = 0.0, rr_ = 0.0, rz_ = 0.0;  // |b|^2, |r|^2 and r.z, the same for all members
 };
 
@@ -238,6 +265,14 @@ SolveOutcome ConjugateGradients::solve(const VelocitySystem& system,
         v->resize(b.size());
     for (std::vector<double>* s : {&sum_bb_, &sum_rr_, &sum_rz_, &sum_pq_})
         s->assign(system.model.radius_um.size(), 0.0);
+    translations_.resize(idx(workers.size()));
+    if (preconditioner.rigid_motions() != nullptr) {
+        sum_r_.assign(3 * system.model.radius_um.size(), 0.0);
+        for (Translations& t : translations_) {
+            t.of_cells.resize(sum_r_.size());
+            t.work.resize(sum_r_.size());
+        }
+    }
     if (residuals_ != nullptr) residuals_->clear();
     SolveOutcome outcome;
     workers.region([&](Workers::Member& member) {

@@ -36,6 +36,11 @@ class ConjugateGradients {
     std::vector<Vec3> exact_product_;  // [all nodes]
     std::vector<Lanes> correction_, residual_, direction_, product_, preconditioned_;  // likewise
     std::vector<double> sum_bb_, sum_rr_, sum_rz_, sum_pq_;                            // [cells]
+    std::vector<double> sum_r_;  // [3 cells] force on each cell, for RigidMotions
+    struct Translations {
+        std::vector<double> of_cells, work;  // [3 cells]
+    };
+    std::vector<Translations> translations_;  // [members] each finds them for itself
     std::vector<double>* residuals_ = nullptr;
 };
 

@@ -222,6 +222,13 @@ template void ContactOperator::product_of_group(int, const Model&, Part, std::sp
 template void ContactOperator::add_to_cell(int, const Contacts&, std::span<Vec3>) const;
 template void ContactOperator::add_to_cell(int, const Contacts&, std::span<Lanes>) const;
 
+Mat3 ContactOperator::sum_of(int g) const {
+    const Group& group = groups_[idx(g)];
+    Mat3 sum = Mat3::Zero();
+    for (int e = 0; e < group.row_begin.back(); ++e) sum += pairs_of(group)[idx(e)].combined.mat3();
+    return sum;
+}
+
 void ContactOperator::add_diagonal(int cell, const Contacts& contacts,
                                    std::span<Mat3> blocks) const {
     for (const Contacts::Side& side : contacts.sides_of(cell)) {

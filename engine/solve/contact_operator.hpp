@@ -45,6 +45,9 @@ class ContactOperator {
     /// Phase 2, for one cell: out [n_nodes of the cell] += what its groups have left.
     template <class Vector>
     void add_to_cell(int cell, const Contacts& contacts, std::span<Vector> out) const;
+    /// What holds the two cells of a group together when they move as wholes: the sum over its
+    /// pairs, friction and stiffness.
+    [[nodiscard]] Mat3 sum_of(int group) const;
     /// Adds what friction and stiffness have between nodes of different cells to the 3x3 diagonal
     /// blocks of one cell.
     void add_diagonal(int cell, const Contacts& contacts, std::span<Mat3> blocks) const;

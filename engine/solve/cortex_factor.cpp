@@ -2,105 +2,20 @@
 
 #include "engine/base/error.hpp"
 
-#include <cholmod.h>
-
-#include <memory>
-
 namespace spheroscope {
-namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-/// CHOLMOD's common block, started and finished.
-struct Common {
-    cholmod_common c{};
-    Common() {
-        cholmod_start(&c);
-        c.supernodal =
-            CHOLMOD_SIMPLICIAL;  // the supernodal part is GPL, and no faster at this size
-        c.final_ll = 1;
-        c.final_pack = 1;
-        c.final_monotonic = 1;
-        c.print = 0;
-    }
-    ~Common() { cholmod_finish(&c); }
-    Common(const Common&) = delete;
-    Common& operator=(const Common&) = delete;
-};
-
-}  // namespace
 
 CortexFactor::CortexFactor(const MeshTopology& mesh, std::span<const double> drag,
                            double edge_friction) {
-    Common common;
-    const std::size_t n = drag.size();
-    const std::size_t n_entries = n + mesh.edges.size();
-    const auto free_sparse = [&](cholmod_sparse* m) { cholmod_free_sparse(&m, &common.c); };
-    const auto free_triplet = [&](cholmod_triplet* m) { cholmod_free_triplet(&m, &common.c); };
-    const auto free_factor = [&](cholmod_factor* m) { cholmod_free_factor(&m, &common.c); };
-    const std::unique_ptr<cholmod_triplet, decltype(free_triplet)> triplet(
-        cholmod_allocate_triplet(n, n, n_entries, -1, CHOLMOD_REAL, &common.c), free_triplet);
-    auto* rows = static_cast<int*>(triplet->i);
-    auto* columns = static_cast<int*>(triplet->j);
-    auto* values = static_cast<double*>(triplet->x);
-    std::size_t k = 0;
-    const auto put = [&](int row, int column, double value) {
-        rows[k] = row;
-        columns[k] = column;
-        values[k++] = value;
-    };
-    for (std::size_t i = 0; i < n; ++i) {
+    std::vector<SparseCholesky::Entry> entries;
+    for (std::size_t i = 0; i < drag.size(); ++i) {
         const int degree = mesh.neighbour_begin[i + 1] - mesh.neighbour_begin[i];
-        put(static_cast<int>(i), static_cast<int>(i), drag[i] + edge_friction * degree);
+        const int node = static_cast<int>(i);
+        entries.push_back({node, node, drag[i] + edge_friction * degree});
     }
-    for (const MeshTopology::Edge& e : mesh.edges) put(e.j, e.i, -edge_friction);
-    triplet->nnz = k;
-    const std::unique_ptr<cholmod_sparse, decltype(free_sparse)> matrix(
-        cholmod_triplet_to_sparse(triplet.get(), k, &common.c), free_sparse);
-    const std::unique_ptr<cholmod_factor, decltype(free_factor)> factor(
-        cholmod_analyze(matrix.get(), &common.c), free_factor);
-    cholmod_factorize(matrix.get(), factor.get(), &common.c);
-    SPHEROSCOPE_ASSERT(common.c.status == CHOLMOD_OK && factor->is_ll && factor->is_monotonic,
-                       "the friction matrix of a cell is positive definite");
-
-    const auto* begin = static_cast<const int*>(factor->p);
-    const auto* count = static_cast<const int*>(factor->nz);
-    const auto* row = static_cast<const int*>(factor->i);
-    const auto* value = static_cast<const double*>(factor->x);
-    const auto* perm = static_cast<const int*>(factor->Perm);
-    permutation_.assign(perm, perm + n);
-    column_begin_.assign(1, 0);
-    for (std::size_t column = 0; column < n; ++column) {
-        row_.insert(row_.end(), row + begin[column], row + begin[column] + count[column]);
-        value_.insert(value_.end(), value + begin[column], value + begin[column] + count[column]);
-        column_begin_.push_back(static_cast<int>(row_.size()));
-    }
+    for (const MeshTopology::Edge& e : mesh.edges) entries.push_back({e.j, e.i, -edge_friction});
+    [[maybe_unused]] const bool is_definite =
+        factor_.factor(static_cast<int>(drag.size()), entries);
+    SPHEROSCOPE_ASSERT(is_definite, "the friction matrix of a cell is positive definite");
 }
-
-template <class Vector> void CortexFactor::solve(std::span<const Vector> b, std::span<Vector> x,
-                                                 std::span<Vector> work) const {
-    using Scalar = typename VectorTraits<Vector>::Scalar;
-    const auto value = [&](std::size_t k) { return static_cast<Scalar>(value_[k]); };
-    const std::size_t n = permutation_.size();
-    for (std::size_t i = 0; i < n; ++i) work[i] = b[idx(permutation_[i])];
-    for (std::size_t column = 0; column < n; ++column) {  // L y = b
-        const std::size_t first = idx(column_begin_[column]);
-        const std::size_t end = idx(column_begin_[column + 1]);
-        const Vector y = (Scalar{1} / value(first)) * work[column];
-        work[column] = y;
-        for (std::size_t k = first + 1; k < end; ++k) work[idx(row_[k])] -= value(k) * y;
-    }
-    for (std::size_t column = n; column-- > 0;) {  // L^T z = y
-        const std::size_t first = idx(column_begin_[column]);
-        const std::size_t end = idx(column_begin_[column + 1]);
-        Vector z = work[column];
-        for (std::size_t k = first + 1; k < end; ++k) z -= value(k) * work[idx(row_[k])];
-        work[column] = (Scalar{1} / value(first)) * z;
-    }
-    for (std::size_t i = 0; i < n; ++i) x[idx(permutation_[i])] = work[i];
-}
-
-template void CortexFactor::solve(std::span<const Vec3>, std::span<Vec3>, std::span<Vec3>) const;
-template void CortexFactor::solve(std::span<const Lanes>, std::span<Lanes>, std::span<Lanes>) const;
 
 }  // namespace spheroscope

@@ -194,7 +194,8 @@ VelocitySystem System::velocity_system(double dt_s, std::span<const double> volu
             now_.pairs,
             dt_s > 0.0 ? std::span<const CellMatrix>(now_.cells) : std::span<const CellMatrix>(),
             volume_coefficient,
-            now_.geometry.volume_gradient_um2};
+            now_.geometry.volume_gradient_um2,
+            now_.x_um};
 }
 
 void System::friction_product(std::span<const Vec3> u, std::span<Vec3> out) {

@@ -25,6 +25,7 @@ struct VelocitySystem {
     std::span<const CellMatrix> cells;           ///< [cells], or empty: Gamma alone
     std::span<const double> volume_coefficient;  ///< [cells], or empty: no rank-one part
     std::span<const Vec3> volume_gradient;       ///< S [all nodes]
+    std::span<const Vec3> x_um;                  ///< [all nodes]
 
     [[nodiscard]] int n_groups() const { return pairs.n_groups(); }
     /// A product is product_of_group for all groups, a barrier, then product_of_cell for all cells.

@@ -55,6 +55,21 @@ TEST(CortexFactor, SolvesLikeDenseCholesky) {
     }
 }
 
+TEST(SparseCholesky, SumsElementsAndSaysWhenAMatrixIsNotDefinite) {
+    SparseCholesky cholesky;
+    // [[2 -1 0] [-1 3 1] [0 1 2]], its 3 in two parts
+    const std::vector<SparseCholesky::Entry> entries{{0, 0, 2.0}, {1, 0, -1.0}, {1, 1, 1.0},
+                                                     {2, 1, 1.0}, {2, 2, 2.0},  {1, 1, 2.0}};
+    ASSERT_TRUE(cholesky.factor(3, entries));
+    std::vector<double> x{1.0, 9.0, 8.0}, work(3);
+    cholesky.solve<double>(x, x, work);
+    EXPECT_NEAR(2.0 * x[0] - x[1], 1.0, 1e-14);
+    EXPECT_NEAR(-x[0] + 3.0 * x[1] + x[2], 9.0, 1e-14);
+    EXPECT_NEAR(x[1] + 2.0 * x[2], 8.0, 1e-14);
+    const std::vector<SparseCholesky::Entry> indefinite{{0, 0, 1.0}, {1, 0, 2.0}, {1, 1, 1.0}};
+    EXPECT_FALSE(cholesky.factor(2, indefinite));
+}
+
 /// Three cells in a row that touch, with every friction.
 class CoupledCells : public testing::Test {
   protected:
