@@ -216,13 +216,18 @@ reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
 
 reports::ReportTable runs_report(const MeasuredSetups& measured) {
     reports::ReportTable table;
-    table.columns = {{"setup"}, {"seed"}, {"outcome"}, {"time_s"}, {"wall_s"}, {"version"}};
+    table.columns = {{"setup"},  {"seed"},    {"outcome"}, {"time_s"},
+                     {"wall_s"}, {"version"}, {"scene"}};
     for (const TotalsRow& row : all_totals()) table.columns.push_back({std::string(row.name)});
     for (const auto& [name, setup] : measured)
         for (const MeasuredRun& run : setup.runs) {
             std::vector<reports::TableCell> cells{name,        static_cast<std::int64_t>(run.seed),
                                                   run.outcome, run.time_s,
                                                   run.wall_s,  run.version};
+            if (run.scene.empty())
+                cells.emplace_back(reports::Missing{"-"});
+            else
+                cells.emplace_back(run.scene);
             for (const TotalsRow& row : all_totals())
                 cells.push_back(number_cell(run.totals ? value_of(row, *run.totals)
                                                        : std::numeric_limits<double>::quiet_NaN()));

@@ -18,6 +18,7 @@ struct MeasuredRun {
     std::string outcome, version;
     double time_s = 0.0, wall_s = 0.0;
     std::optional<Totals> totals = {};  ///< of cells; beads have none
+    std::string scene = {};             ///< scene_mark of its scene; "": not known, or beads
 };
 
 /// What was measured of one setup, or why nothing was.

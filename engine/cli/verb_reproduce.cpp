@@ -1,3 +1,4 @@
+#include "engine/claims/kept_report.hpp"
 #include "engine/claims/verdict.hpp"
 #include "engine/cli/bead_setup.hpp"
 #include "engine/cli/interrupt.hpp"
@@ -32,6 +33,7 @@ using claims::Verdict;
 struct ReproduceArguments {
     std::string claims = SPHEROSCOPE_SCENES_DIR "/paper/paper.claims";
     std::vector<std::string> only;
+    std::string keep;
     bool quick = false, full = false, stored = false;
     CommonOptions common;
 };
@@ -112,9 +114,10 @@ MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
         try {
             auto run = measured_run(table, setup, seed, place, extent, options, invocation);
             if (!run) continue;
-            measured.runs.push_back({run->seed, run->outcome, run->version, run->time_s,
-                                     RunFileReader(place.run_file()).end().wall_time_s,
-                                     run->totals});
+            measured.runs.push_back(
+                {run->seed, run->outcome, run->version, run->time_s,
+                 RunFileReader(place.run_file()).end().wall_time_s, run->totals,
+                 claims::scene_mark(scene_of(table, setup, seed).resolved_toml)});
             if (run->outcome == "cap")
                 measured.remarks.push_back(fmt::format(
                     "seed {} ended at its cap of time, not at rest: t = {:.0f} s, {} flipped "
@@ -161,24 +164,26 @@ void check_only(const ClaimTable& table, const std::vector<std::string>& only) {
         }
 }
 
-/// Every number of every setup: what the claims are judged by, and all else that was measured.
-reports::ReportTable numbers_table(const MeasuredSetups& measured) {
-    reports::ReportTable table;
-    table.columns = {{"setup"}, {"number"}, {"unit"},  {"mean"}, {"standard_error"},
-                     {"seeds"}, {"law"},    {"cells"}, {"nodes"}};
-    constexpr reports::Missing none{"-"};
-    for (const auto& [name, setup] : measured)
-        for (const statistics::SetupNumber& number : setup.numbers) {
-            const auto cell = [&](double value) {
-                return std::isnan(value) ? reports::TableCell{none} : reports::TableCell{value};
-            };
-            table.rows.push_back(
-                {name, number.name, number.unit, cell(number.estimate.mean),
-                 cell(number.estimate.standard_error), std::int64_t{number.estimate.n}, setup.law,
-                 std::int64_t{setup.n_cells},
-                 setup.n_nodes == 0 ? reports::TableCell{none} : std::int64_t{setup.n_nodes}});
+/// Adds the setups that have no runs here as an earlier report has them. Throws Error when one was
+/// measured on another version of its scene.
+void add_kept(const ClaimTable& table, const std::string& folder, MeasuredSetups& measured) {
+    for (auto& [name, kept] : claims::kept_setups(folder)) {
+        const ClaimedSetup* const setup = table.find_setup(name);
+        if (setup == nullptr || measured.contains(name)) continue;
+        bool is_marked = setup->beads > 0;
+        for (const claims::MeasuredRun& run : kept.runs) {
+            if (run.scene.empty()) continue;
+            is_marked = true;
+            if (run.scene != claims::scene_mark(scene_of(table, *setup, run.seed).resolved_toml))
+                throw Error(fmt::format("{}: {}, seed {}, was measured on another version of {}",
+                                        folder, name, run.seed, setup->scene),
+                            "make its runs again with --full --only " + name);
         }
-    return table;
+        if (!is_marked)
+            kept.remarks.push_back("kept from a report that does not say of which version of the "
+                                   "scene its runs are");
+        measured[name] = std::move(kept);
+    }
 }
 
 /// What happened to the runs: one line for each that a reader has to know of, and the time.
@@ -241,7 +246,7 @@ write_files(const std::string& folder, const std::vector<JudgedClaim>& judged,
                                          folder + "/numbers.csv", folder + "/runs.csv"};
     write_text_file(files[0], claims::claims_report(judged, measured).csv_text(comments));
     write_text_file(files[1], claims::claims_markdown(judged, measured) + "\n" + list);
-    write_text_file(files[2], numbers_table(measured).csv_text(comments));
+    write_text_file(files[2], claims::numbers_report(measured).csv_text(comments));
     write_text_file(files[3], claims::runs_report(measured).csv_text(comments));
     return files;
 }
@@ -263,6 +268,7 @@ ExitCode reproduce(const ReproduceArguments& arguments, const Invocation& invoca
                 measure_setup(table, setup, folder, extent, arguments.common, invocation);
             if (!one.runs.empty() || !one.troubles.empty()) measured[setup.name] = std::move(one);
         }
+    if (!arguments.keep.empty()) add_kept(table, arguments.keep, measured);
     const std::vector<JudgedClaim> judged = claims::judge_claims(table, measured);
     const std::vector<std::string> remarks = remarks_on(measured);
     const std::vector<std::string> files =
@@ -301,6 +307,10 @@ Verb reproduce_verb() {
                              "judge the runs that are in the folder, make none");
                 command.option("--only", arguments->only,
                                "this setup only; may be given several times");
+                command.option(
+                    "--keep", arguments->keep,
+                    "folder of an earlier report: setups without runs here are judged by "
+                    "its numbers");
                 add_common_options(command, arguments->common,
                                    {CommonOption::output, CommonOption::threads, CommonOption::simd,
                                     CommonOption::json, CommonOption::quiet});

@@ -56,20 +56,40 @@ bool is_on(const Grid& grid, const statistics::Setup& setup) {
            has(grid.Et_over_omega, setup.Et_over_omega);
 }
 
-/// Whether it shows something that the grids before it do not.
-bool adds_points(const Grid& grid, const std::vector<Grid>& before, Setups setups) {
-    return std::any_of(setups.begin(), setups.end(), [&](const SetupStatistics& setup) {
-        return is_on(grid, setup.setup()) &&
-               std::none_of(before.begin(), before.end(),
-                            [&](const Grid& other) { return is_on(other, setup.setup()); });
-    });
-}
-
 int points_on(const Grid& grid, Setups setups) {
     int n = 0;
     for (const double gamma : grid.gamma_over_omega)
         for (const double Et : grid.Et_over_omega) n += find(setups, gamma, Et) != nullptr ? 1 : 0;
     return n;
+}
+
+/// Whether it shows something that the others do not.
+bool adds_points(const Grid& grid, const std::vector<Grid>& others, Setups setups) {
+    return std::any_of(setups.begin(), setups.end(), [&](const SetupStatistics& setup) {
+        return is_on(grid, setup.setup()) &&
+               std::none_of(others.begin(), others.end(),
+                            [&](const Grid& other) { return is_on(other, setup.setup()); });
+    });
+}
+
+/// Those of the paper's grids that show the setups, in the paper's order. The grids share points:
+/// one whose points are all on a grid with more of them is left out.
+std::vector<Grid> grids_of(Setups setups) {
+    std::vector<Grid> fullest(k_grids.begin(), k_grids.end());
+    std::stable_sort(fullest.begin(), fullest.end(), [&](const Grid& a, const Grid& b) {
+        return points_on(a, setups) > points_on(b, setups);
+    });
+    std::vector<Grid> drawn;
+    for (const Grid& grid : fullest)
+        if (points_on(grid, setups) > 1 && adds_points(grid, drawn, setups)) drawn.push_back(grid);
+    std::sort(drawn.begin(), drawn.end(), [](const Grid& a, const Grid& b) {
+        const auto place = [](const Grid& grid) {
+            return std::find_if(k_grids.begin(), k_grids.end(),
+                                [&](const Grid& g) { return g.name == grid.name; });
+        };
+        return place(a) < place(b);
+    });
+    return drawn;
 }
 
 reports::Plot::Map map_of(Figure& figure, Setups setups, const Grid& grid, const Quantity& quantity,
@@ -150,9 +170,7 @@ Figure parameter_maps(Setups setups) {
     figure.table = empty_table();
     std::string reason = objection(setups);
     std::vector<Grid> grids;
-    for (const Grid& grid : k_grids)
-        if (reason.empty() && points_on(grid, setups) > 1 && adds_points(grid, grids, setups))
-            grids.push_back(grid);
+    if (reason.empty()) grids = grids_of(setups);
     if (reason.empty() && grids.empty())
         reason = "fewer than two of the runs' setups are points of the paper's grids";
     if (!reason.empty()) {

@@ -110,6 +110,43 @@ TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
         EXPECT_GT(std::filesystem::file_size(path(file)), 100U) << file;
 }
 
+TEST_F(Reproduce, GoesOnWithTheNumbersOfAnEarlierReport) {
+    ASSERT_EQ(reproduce("--full").code, 0);
+    std::filesystem::create_directories(path("report"));
+    for (const char* name : {"numbers.csv", "runs.csv"})
+        std::filesystem::copy_file(path("out/" + std::string(name)),
+                                   path("report/" + std::string(name)));
+    std::filesystem::remove_all(path("out/soft"));
+    const auto again = [&] {
+        return call({"reproduce", "small.claims", "--stored", "-o", "out", "--keep", "report",
+                     "--quiet", "--json"});
+    };
+    const Outcome kept = again();
+    ASSERT_EQ(kept.code, 0) << kept.err;
+    EXPECT_EQ(verdict(kept, 0), "agrees");
+    EXPECT_EQ(nlohmann::json::parse(kept.out)["claims"][0]["seeds"], 2);
+    EXPECT_EQ(verdict(kept, 2), "differs");
+    const auto text_of = [&](const std::string& name) {
+        std::ifstream file(path(name));
+        std::string text, line;
+        while (std::getline(file, line))
+            if (!line.starts_with("#")) text += line + "\n";
+        return text;
+    };
+    EXPECT_EQ(text_of("out/numbers.csv"), text_of("report/numbers.csv"));
+    EXPECT_EQ(text_of("out/runs.csv"), text_of("report/runs.csv"));
+
+    // a number of another version of the scene is not that of this one
+    std::string scene(k_three_cells_scene);
+    scene.replace(scene.find("Three cells"), 11, "Three others");
+    write_file("small.toml", scene);
+    std::filesystem::remove_all(path("out/stiff"));
+    const Outcome changed = again();
+    EXPECT_EQ(changed.code, 2);
+    EXPECT_NE(changed.err.find("was measured on another version of small.toml"), std::string::npos)
+        << changed.err;
+}
+
 TEST_F(Reproduce, ListsARunThatFailsWithItsReason) {
     write_file("small.claims", k_claims + "\n[[setup]]\nname = \"wild\"\nscene = \"small.toml\"\n"
                                           "set = [\"method.name=forward_euler\", "

@@ -146,6 +146,16 @@ TEST(ParameterMaps, DrawNoSecondGridThatShowsTheSamePoints) {
     EXPECT_TRUE(is_said(figure, "refined grid: 4 of 25 points have runs"));
 }
 
+TEST(ParameterMaps, LeaveOutTheBroadGridWhereTheRefinedOneHasAllOfItsPoints) {
+    std::vector<statistics::RunStatistics> runs;
+    for (const double gamma : {0.5, 0.75, 1.0})
+        for (const double Et : {0.125, 0.25, 0.5}) runs.push_back(made_up_run(gamma, Et, 1));
+    const Figure figure = parameter_maps(group_by_setup(runs));
+    ASSERT_EQ(figure.plot.panels.size(), 3U);
+    EXPECT_NE(figure.plot.panels[0].title.find("refined grid"), std::string::npos);
+    EXPECT_TRUE(is_said(figure, "broad grid: 4 of 30 points have runs"));
+}
+
 TEST(ParameterMaps, OfRunsThatAreNoGridAreNotDrawnAndSayWhy) {
     const auto setups = two_setups();
     const Figure figure = parameter_maps(setups);

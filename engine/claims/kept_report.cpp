@@ -1,0 +1,120 @@
+#include "engine/claims/kept_report.hpp"
+
+#include "engine/base/error.hpp"
+#include "engine/reports/csv_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace spheroscope::claims {
+namespace {
+
+using reports::CsvTable;
+using statistics::SetupNumber;
+
+constexpr reports::Missing k_none{"-"};
+
+reports::TableCell number_cell(double value) {
+    return std::isnan(value) ? reports::TableCell{k_none} : reports::TableCell{value};
+}
+
+/// "1.5 - 2.25": one value for each run.
+std::string list_text(const std::vector<double>& values) {
+    std::string text;
+    for (const double value : values) {
+        if (!text.empty()) text += ' ';
+        text += std::isnan(value) ? std::string("-") : fmt::format("{}", value);
+    }
+    return text;
+}
+
+std::vector<double> list_of(const CsvTable& table, std::size_t row, const std::string& path) {
+    std::vector<double> values;
+    const std::string& text = table.text(row, "by_seed");
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        values.emplace_back();
+        if (!reports::read_number(text.substr(at, end - at), values.back()))
+            throw Error(fmt::format("{}: 'by_seed' wants numbers, got '{}'", path, text));
+        at = end + 1;
+    }
+    return values;
+}
+
+MeasuredRun run_of(const CsvTable& table, std::size_t row) {
+    MeasuredRun run;
+    run.seed = static_cast<std::uint64_t>(table.number(row, "seed"));
+    run.outcome = table.text(row, "outcome");
+    run.version = table.text(row, "version");
+    run.time_s = table.number(row, "time_s");
+    run.wall_s = table.number(row, "wall_s");
+    // before there were marks, a report did not say of which version of the scene it was
+    if (table.has("scene") && table.text(row, "scene") != "-") run.scene = table.text(row, "scene");
+    Totals totals{};
+    bool is_of_cells = false;
+    for (const TotalsRow& total : all_totals()) {
+        const double value = table.number(row, total.name);
+        is_of_cells = is_of_cells || !std::isnan(value);
+        if (const auto* real = std::get_if<double Totals::*>(&total.member))
+            totals.** real = value;
+        else
+            totals.*std::get<int Totals::*>(total.member) =
+                std::isnan(value) ? 0 : static_cast<int>(value);
+    }
+    if (is_of_cells) run.totals = totals;
+    return run;
+}
+
+}  // namespace
+
+reports::ReportTable numbers_report(const MeasuredSetups& measured) {
+    reports::ReportTable table;
+    table.columns = {{"setup"}, {"number"}, {"unit"},  {"mean"},  {"standard_error"},
+                     {"seeds"}, {"law"},    {"cells"}, {"nodes"}, {"by_seed"}};
+    for (const auto& [name, setup] : measured)
+        for (const SetupNumber& number : setup.numbers)
+            table.rows.push_back(
+                {name, number.name, number.unit, number_cell(number.estimate.mean),
+                 number_cell(number.estimate.standard_error), std::int64_t{number.estimate.n},
+                 setup.law, std::int64_t{setup.n_cells},
+                 setup.n_nodes == 0 ? reports::TableCell{k_none} : std::int64_t{setup.n_nodes},
+                 list_text(number.by_run)});
+    return table;
+}
+
+std::string scene_mark(std::string_view resolved_toml) {
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (const char c : resolved_toml)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    return fmt::format("{:016x}", hash);
+}
+
+MeasuredSetups kept_setups(const std::string& folder) {
+    const std::string numbers_path = folder + "/numbers.csv";
+    const CsvTable numbers(numbers_path), runs(folder + "/runs.csv");
+    MeasuredSetups kept;
+    for (std::size_t row = 0; row < runs.n_rows(); ++row)
+        kept[runs.text(row, "setup")].runs.push_back(run_of(runs, row));
+    const bool has_values = numbers.has("by_seed");
+    for (std::size_t row = 0; row < numbers.n_rows(); ++row) {
+        MeasuredSetup& setup = kept[numbers.text(row, "setup")];
+        setup.law = numbers.text(row, "law");
+        setup.n_cells = static_cast<int>(numbers.number(row, "cells"));
+        const double n_nodes = numbers.number(row, "nodes");
+        setup.n_nodes = std::isnan(n_nodes) ? 0 : static_cast<int>(n_nodes);
+        SetupNumber number{numbers.text(row, "number"),
+                           numbers.text(row, "unit"),
+                           {numbers.number(row, "mean"), numbers.number(row, "standard_error"),
+                            static_cast<int>(numbers.number(row, "seeds"))}};
+        if (has_values) number.by_run = list_of(numbers, row, numbers_path);
+        setup.numbers.push_back(std::move(number));
+    }
+    for (auto& [name, setup] : kept)
+        for (const std::string& comment : runs.comments())
+            if (comment.starts_with(name + ", "))
+                setup.remarks.push_back(comment.substr(name.size() + 2));
+    return kept;
+}
+
+}  // namespace spheroscope::claims

@@ -1,0 +1,111 @@
+// What a report writes of its setups can be read again.
+#include "engine/base/error.hpp"
+#include "engine/claims/kept_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace spheroscope::claims {
+namespace {
+
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+
+class KeptReport : public testing::Test {
+  protected:
+    KeptReport() { std::filesystem::create_directories(folder); }
+    ~KeptReport() override { std::filesystem::remove_all(folder); }
+    KeptReport(const KeptReport&) = delete;
+    KeptReport& operator=(const KeptReport&) = delete;
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder + "/" + name) << text;
+    }
+    void write(const MeasuredSetups& measured) const {
+        write("numbers.csv", numbers_report(measured).csv_text({"some, comment"}));
+        write("runs.csv", runs_report(measured).csv_text(
+                              {"soft, seed 2 ended at its cap", "softer, seed 1 failed"}));
+    }
+    std::string refusal() const {
+        try {
+            static_cast<void>(kept_setups(folder));
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    }
+    const std::string folder = testing::TempDir() + "/kept_report";
+};
+
+TEST_F(KeptReport, HasEverythingThatClaimsAreJudgedBy) {
+    MeasuredSetups measured;
+    MeasuredSetup& soft = measured["soft"];
+    soft.law = "traction";
+    soft.n_cells = 150;
+    soft.n_nodes = 162;
+    soft.numbers = {{"coordination_Z", "1", {9.5, 0.1 / 3.0, 2}, {9.4, 9.6}},
+                    {"depth, of the \"zero\"", "um", {12.5, k_nan, 1}, {k_nan, 12.5}},
+                    {"beta", "1", {1.25, 0.05, 2}, {}}};
+    Totals totals{};
+    totals.contact_fraction = 1.0 / 3.0;
+    totals.n_folds = 7;
+    totals.probe_way_um = k_nan;
+    soft.runs = {{1, "rest", "0.1", 300.0, 15.5, totals, "00000000deadbeef"},
+                 {2, "cap", "0.1", 600.0, 30.0, totals, ""}};
+    MeasuredSetup& beads = measured["beads"];
+    beads.law = "-";
+    beads.n_cells = 1000;
+    beads.numbers = {{"jamming_fraction", "1", {0.648, 0.001, 1}, {0.648}}};
+    beads.runs = {{1, "jammed", "0.1", 0.0, 20.0, {}, ""}};
+    write(measured);
+
+    const MeasuredSetups kept = kept_setups(folder);
+    ASSERT_EQ(kept.size(), 2U);
+    const MeasuredSetup& again = kept.at("soft");
+    EXPECT_EQ(again.law, "traction");
+    EXPECT_EQ(again.n_cells, 150);
+    EXPECT_EQ(again.n_nodes, 162);
+    EXPECT_EQ(again.remarks, (std::vector<std::string>{"seed 2 ended at its cap"}));
+    ASSERT_EQ(again.numbers.size(), 3U);
+    EXPECT_EQ(again.numbers[0].estimate.standard_error, 0.1 / 3.0) << "every digit";
+    EXPECT_EQ(again.numbers[0].by_run, soft.numbers[0].by_run);
+    EXPECT_EQ(again.numbers[1].name, soft.numbers[1].name);
+    EXPECT_TRUE(std::isnan(again.numbers[1].estimate.standard_error));
+    ASSERT_EQ(again.numbers[1].by_run.size(), 2U);
+    EXPECT_TRUE(std::isnan(again.numbers[1].by_run[0]));
+    EXPECT_TRUE(again.numbers[2].by_run.empty()) << "of all runs together";
+    ASSERT_EQ(again.runs.size(), 2U);
+    EXPECT_EQ(again.runs[0].scene, "00000000deadbeef");
+    EXPECT_EQ(again.runs[1].scene, "");
+    ASSERT_TRUE(again.runs[1].totals.has_value());
+    EXPECT_EQ(again.runs[1].totals->contact_fraction, 1.0 / 3.0);
+    EXPECT_EQ(again.runs[1].totals->n_folds, 7);
+    EXPECT_TRUE(std::isnan(again.runs[1].totals->probe_way_um));
+    EXPECT_FALSE(kept.at("beads").runs[0].totals.has_value());
+}
+
+TEST_F(KeptReport, SaysWhatIsWrongWithAFile) {
+    EXPECT_NE(refusal().find("cannot be read"), std::string::npos);
+    write(MeasuredSetups{});
+    EXPECT_TRUE(kept_setups(folder).empty());
+    write("numbers.csv", "setup,number\na,b,c\n");
+    EXPECT_NE(refusal().find("numbers.csv:2:1"), std::string::npos) << refusal();
+    write("numbers.csv", "setup,number\na,b\n");
+    EXPECT_NE(refusal().find("no column 'law'"), std::string::npos) << refusal();
+    write("numbers.csv", "setup,number,unit,mean,standard_error,seeds,law,cells,nodes\n"
+                         "a,Z,1,many,-,1,traction,3,42\n");
+    EXPECT_NE(refusal().find("'mean' wants a number, got 'many'"), std::string::npos) << refusal();
+    write("numbers.csv", "setup,\"number\na,b\n");
+    EXPECT_NE(refusal().find("quotation has no end"), std::string::npos) << refusal();
+    write("numbers.csv", "");
+    EXPECT_NE(refusal().find("no columns"), std::string::npos) << refusal();
+}
+
+TEST(SceneMark, IsFnv1a) {
+    EXPECT_EQ(scene_mark(""), "cbf29ce484222325");
+    EXPECT_EQ(scene_mark("a"), "af63dc4c8601ec8c");
+}
+
+}  // namespace
+}  // namespace spheroscope::claims
