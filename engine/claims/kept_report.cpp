@@ -42,6 +42,15 @@ std::vector<double> list_of(const CsvTable& table, std::size_t row, const std::s
     return values;
 }
 
+/// What reports without 'by_seed' still have seed by seed: the totals of runs.csv.
+std::vector<double> totals_of_runs(const MeasuredSetup& setup, const std::string& name) {
+    const TotalsRow* const row = find_total(name);
+    std::vector<double> values;
+    for (const MeasuredRun& run : setup.runs)
+        if (row != nullptr && run.totals) values.push_back(value_of(*row, *run.totals));
+    return values.size() == setup.runs.size() ? values : std::vector<double>{};
+}
+
 MeasuredRun run_of(const CsvTable& table, std::size_t row) {
     MeasuredRun run;
     run.seed = static_cast<std::uint64_t>(table.number(row, "seed"));
@@ -107,7 +116,10 @@ MeasuredSetups kept_setups(const std::string& folder) {
                            numbers.text(row, "unit"),
                            {numbers.number(row, "mean"), numbers.number(row, "standard_error"),
                             static_cast<int>(numbers.number(row, "seeds"))}};
-        if (has_values) number.by_run = list_of(numbers, row, numbers_path);
+        if (has_values)
+            number.by_run = list_of(numbers, row, numbers_path);
+        else
+            number.by_run = totals_of_runs(setup, number.name);
         setup.numbers.push_back(std::move(number));
     }
     for (auto& [name, setup] : kept)

@@ -1,6 +1,7 @@
 #include "engine/solve/contact_operator.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace spheroscope {
 namespace {
@@ -32,8 +33,9 @@ Sums square_of(const Vec3& n) {
 struct Scratch {
     std::vector<int> local_a, local_b;                  // node of the cell -> local array, or -1
     std::vector<std::array<std::uint16_t, 6>> corners;  // [pairs of triangles], B's from 0
-    std::vector<int> entry;                             // [nodes_a x nodes_b]: pair of nodes
-    std::vector<Sums> friction, stiffness;              // [pairs of nodes]
+    std::vector<std::uint64_t> marks;       // [nodes_a] rows of bits, one for each of B's
+    std::vector<int> entry;                 // [nodes_a x nodes_b]: pair of nodes
+    std::vector<Sums> friction, stiffness;  // [pairs of nodes]
 };
 
 std::uint16_t local_index(int node, std::vector<int>& map, std::vector<int>& nodes) {
@@ -91,20 +93,25 @@ void ContactOperator::build_group(const Model& model, const Contacts::Group& sou
         }
     const std::size_t n_a = group.nodes_a.size(), n_b = group.nodes_b.size();
 
-    // Which of them are connected: a table of marks, then row by row the numbers of the pairs.
-    scratch.entry.assign(n_a * n_b, -1);
+    // Which of them are connected: a bit for each, then row by row the numbers of the pairs. Only
+    // what has a number is read from `entry`.
+    const std::size_t n_words = n_b / 64 + 1;
+    scratch.marks.assign(n_a * n_words, 0);
     for (const auto& c : scratch.corners)
         for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t k = 3; k < 6; ++k) scratch.entry[c[i] * n_b + c[k]] = 0;
+            for (std::size_t k = 3; k < 6; ++k)
+                scratch.marks[c[i] * n_words + c[k] / 64] |= std::uint64_t{1} << (c[k] % 64);
+    if (scratch.entry.size() < n_a * n_b) scratch.entry.resize(n_a * n_b);
     group.row_begin.resize(n_a + 1);
     for (std::size_t a = 0; a < n_a; ++a) {
         group.row_begin[a] = static_cast<int>(arena.size() - group.first);
-        for (std::size_t b = 0; b < n_b; ++b) {
-            int& entry = scratch.entry[a * n_b + b];
-            if (entry < 0) continue;
-            entry = static_cast<int>(arena.size() - group.first);
-            arena.push_back({{}, 0.0F, static_cast<std::uint16_t>(n_a + b)});
-        }
+        for (std::size_t word = 0; word < n_words; ++word)
+            for (std::uint64_t bits = scratch.marks[a * n_words + word]; bits != 0;
+                 bits &= bits - 1) {
+                const std::size_t b = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
+                scratch.entry[a * n_b + b] = static_cast<int>(arena.size() - group.first);
+                arena.push_back({{}, 0.0F, static_cast<std::uint16_t>(n_a + b)});
+            }
     }
     const std::size_t n_entries = arena.size() - group.first;
     group.row_begin[n_a] = static_cast<int>(n_entries);

@@ -29,6 +29,9 @@ struct Common {
 template <class Vector> struct ScalarOf { using Type = typename VectorTraits<Vector>::Scalar; };
 template <> struct ScalarOf<double> { using Type = double; };
 
+template <class Vector> Vector zero_of() { return VectorTraits<Vector>::zero(); }
+template <> double zero_of<double>() { return 0.0; }
+
 }  // namespace
 
 bool SparseCholesky::factor(int n, std::span<const Entry> lower) {
@@ -65,31 +68,40 @@ bool SparseCholesky::factor(int n, std::span<const Entry> lower) {
     permutation_.assign(perm, perm + n);
     for (std::size_t column = 0; column < idx(n); ++column) {
         row_.insert(row_.end(), row + begin[column], row + begin[column] + count[column]);
-        value_.insert(value_.end(), value + begin[column], value + begin[column] + count[column]);
+        value_.push_back(1.0 / value[begin[column]]);
+        value_.insert(value_.end(), value + begin[column] + 1,
+                      value + begin[column] + count[column]);
         column_begin_.push_back(static_cast<int>(row_.size()));
     }
+    value_single_.assign(value_.begin(), value_.end());
     return true;
 }
 
 template <class Vector> void SparseCholesky::solve(std::span<const Vector> b, std::span<Vector> x,
                                                    std::span<Vector> work) const {
     using Scalar = typename ScalarOf<Vector>::Type;
-    const auto value = [&](std::size_t k) { return static_cast<Scalar>(value_[k]); };
+    const Scalar* const value = values<Scalar>();
     const std::size_t n = permutation_.size();
     for (std::size_t i = 0; i < n; ++i) work[i] = b[idx(permutation_[i])];
     for (std::size_t column = 0; column < n; ++column) {  // L y = b
         const std::size_t first = idx(column_begin_[column]);
         const std::size_t end = idx(column_begin_[column + 1]);
-        const Vector y = (Scalar{1} / value(first)) * work[column];
+        const Vector y = value[first] * work[column];
         work[column] = y;
-        for (std::size_t k = first + 1; k < end; ++k) work[idx(row_[k])] -= value(k) * y;
+        for (std::size_t k = first + 1; k < end; ++k) work[idx(row_[k])] -= value[k] * y;
     }
     for (std::size_t column = n; column-- > 0;) {  // L^T z = y
         const std::size_t first = idx(column_begin_[column]);
         const std::size_t end = idx(column_begin_[column + 1]);
-        Vector z = work[column];
-        for (std::size_t k = first + 1; k < end; ++k) z -= value(k) * work[idx(row_[k])];
-        work[column] = (Scalar{1} / value(first)) * z;
+        // two sums: neither has to wait for the other's last addition
+        Vector even = work[column], odd = zero_of<Vector>();
+        std::size_t k = first + 1;
+        for (; k + 1 < end; k += 2) {
+            even -= value[k] * work[idx(row_[k])];
+            odd -= value[k + 1] * work[idx(row_[k + 1])];
+        }
+        if (k < end) even -= value[k] * work[idx(row_[k])];
+        work[column] = value[first] * Vector(even + odd);
     }
     for (std::size_t i = 0; i < n; ++i) x[idx(permutation_[i])] = work[i];
 }

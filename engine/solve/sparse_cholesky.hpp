@@ -4,6 +4,7 @@
 #include "engine/base/vec3.hpp"
 
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace spheroscope {
@@ -27,9 +28,19 @@ class SparseCholesky {
     void solve(std::span<const Vector> b, std::span<Vector> x, std::span<Vector> work) const;
 
   private:
+    /// The elements of L in the precision of a solve; on the diagonal, which comes first in its
+    /// column, one over the element.
+    template <class Scalar> [[nodiscard]] const Scalar* values() const {
+        if constexpr (std::is_same_v<Scalar, float>)
+            return value_single_.data();
+        else
+            return value_.data();
+    }
+
     std::vector<int> permutation_;
-    std::vector<int> column_begin_, row_;  // L by columns, the diagonal first
+    std::vector<int> column_begin_, row_;
     std::vector<double> value_;
+    std::vector<float> value_single_;
 };
 
 }  // namespace spheroscope

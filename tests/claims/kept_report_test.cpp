@@ -85,6 +85,23 @@ TEST_F(KeptReport, HasEverythingThatClaimsAreJudgedBy) {
     EXPECT_FALSE(kept.at("beads").runs[0].totals.has_value());
 }
 
+TEST_F(KeptReport, HasTotalsSeedBySeedWhereAnOldOneDoesNotListValues) {
+    MeasuredSetups measured;
+    MeasuredSetup& soft = measured["soft"];
+    Totals totals{};
+    for (const double Z : {9.25, 9.75}) {
+        totals.coordination_Z = Z;
+        soft.runs.push_back({soft.runs.size() + 1, "rest", "0.1", 300.0, 15.5, totals, ""});
+    }
+    write(measured);
+    write("numbers.csv", "setup,number,unit,mean,standard_error,seeds,law,cells,nodes\n"
+                         "soft,coordination_Z,1,9.5,0.25,2,traction,150,162\n"
+                         "soft,beta,1,1.2,0.1,2,traction,150,162\n");
+    const MeasuredSetups kept = kept_setups(folder);
+    EXPECT_EQ(kept.at("soft").numbers[0].by_run, (std::vector<double>{9.25, 9.75}));
+    EXPECT_TRUE(kept.at("soft").numbers[1].by_run.empty());
+}
+
 TEST_F(KeptReport, SaysWhatIsWrongWithAFile) {
     EXPECT_NE(refusal().find("cannot be read"), std::string::npos);
     write(MeasuredSetups{});
