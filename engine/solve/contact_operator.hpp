@@ -46,7 +46,7 @@ class ContactOperator {
     template <class Vector>
     void add_to_cell(int cell, const Contacts& contacts, std::span<Vector> out) const;
     /// What holds the two cells of a group together when they move as wholes: the sum over its
-    /// pairs, friction and stiffness.
+    /// pairs, friction and stiffness. Precondition: built with a stiffness.
     [[nodiscard]] Mat3 sum_of(int group) const;
     /// Adds what friction and stiffness have between nodes of different cells to the 3x3 diagonal
     /// blocks of one cell.
