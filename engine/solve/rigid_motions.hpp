@@ -29,6 +29,8 @@ class RigidMotions {
     void prepare(const VelocitySystem& system, std::span<const Vec3> middle_um,
                  std::span<const Mat3> resistance, Workers& workers);
     void leave_out() { is_in_use_ = false; }
+    /// False as well when the translations have no definite matrix, as of cells that nothing holds:
+    /// then the rest of the preconditioner does what it can, with more iterations.
     [[nodiscard]] bool is_in_use() const { return is_in_use_; }
 
     /// The angular velocity that the forces r [n_nodes of the cell] on it ask for.

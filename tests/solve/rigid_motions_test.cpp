@@ -48,6 +48,11 @@ class RigidMotionsOfCells : public testing::Test {
         EXPECT_FALSE(system.evaluate(cells.x_um, std::vector<double>(4, 0.0), wall_um));
         EXPECT_EQ(system.contacts().groups.size(), 3U);
     }
+    /// nullptr if they are left out.
+    const RigidMotions* motions_of_a_long_step() {
+        preconditioner.prepare(system.velocity_system(dt_s, {}), system.workers());
+        return preconditioner.rigid_motions();
+    }
     Eigen::Index n_cells() const { return system.model().n_cells(); }
     Eigen::Index n_nodes() const { return system.model().n_nodes(); }
 
@@ -71,15 +76,13 @@ class RigidMotionsOfCells : public testing::Test {
 
     Cluster cells = row();
     System system;
+    BlockJacobi preconditioner;
 };
 
 TEST_F(RigidMotionsOfCells, TranslationsAreThoseOfTheWholeMatrix) {
-    const VelocitySystem matrix = system.velocity_system(dt_s, {});
-    BlockJacobi preconditioner;
-    preconditioner.prepare(matrix, system.workers());
-    const RigidMotions* const rigid = preconditioner.rigid_motions();
+    const RigidMotions* const rigid = motions_of_a_long_step();
     ASSERT_NE(rigid, nullptr);
-    const MatrixXd A = reference::dense_product(matrix, system.workers());
+    const MatrixXd A = reference::dense_product(system.velocity_system(dt_s, {}), system.workers());
     const MatrixXd P = motions(false);
     const MatrixXd coarse = P.transpose() * A * P;
     const auto n = static_cast<std::size_t>(coarse.rows());
@@ -94,12 +97,9 @@ TEST_F(RigidMotionsOfCells, TranslationsAreThoseOfTheWholeMatrix) {
 }
 
 TEST_F(RigidMotionsOfCells, RotationsAreThoseOfACellAmongOthersThatStandStill) {
-    const VelocitySystem matrix = system.velocity_system(dt_s, {});
-    BlockJacobi preconditioner;
-    preconditioner.prepare(matrix, system.workers());
-    const RigidMotions* const rigid = preconditioner.rigid_motions();
+    const RigidMotions* const rigid = motions_of_a_long_step();
     ASSERT_NE(rigid, nullptr);
-    const MatrixXd A = reference::dense_product(matrix, system.workers());
+    const MatrixXd A = reference::dense_product(system.velocity_system(dt_s, {}), system.workers());
     const MatrixXd R = motions(true);
     for (Eigen::Index c = 0; c < n_cells(); ++c)
         for (Eigen::Index k = 0; k < 3; ++k) {
@@ -122,11 +122,9 @@ TEST_F(RigidMotionsOfCells, RotationsAreThoseOfACellAmongOthersThatStandStill) {
 }
 
 TEST_F(RigidMotionsOfCells, AreLeftOutOfAShortStep) {
-    BlockJacobi preconditioner;
     preconditioner.prepare(system.velocity_system(1e-4, {}), system.workers());
     EXPECT_EQ(preconditioner.rigid_motions(), nullptr);
-    preconditioner.prepare(system.velocity_system(dt_s, {}), system.workers());
-    EXPECT_NE(preconditioner.rigid_motions(), nullptr);
+    EXPECT_NE(motions_of_a_long_step(), nullptr);
     preconditioner.prepare(system.velocity_system(1e-4, {}), system.workers());
     EXPECT_EQ(preconditioner.rigid_motions(), nullptr);
 }
@@ -141,12 +139,12 @@ TEST_F(RigidMotionsOfCells, SpareHalfOfTheIterationsOfALongStep) {
     std::vector<SolveOutcome> outcome;
     std::vector<VectorXd> solution;
     for (const double stiff : {std::numeric_limits<double>::infinity(), BlockJacobi::k_stiff}) {
-        BlockJacobi preconditioner(stiff);
-        preconditioner.prepare(matrix, system.workers());
-        EXPECT_EQ(preconditioner.rigid_motions() == nullptr, std::isinf(stiff));
+        BlockJacobi with(stiff);
+        with.prepare(matrix, system.workers());
+        EXPECT_EQ(with.rigid_motions() == nullptr, std::isinf(stiff));
         std::vector<Vec3> v(b.size(), Vec3::Zero());
         ConjugateGradients solver;
-        outcome.push_back(solver.solve(matrix, preconditioner, b, v, 1e-8, 2000, system.workers()));
+        outcome.push_back(solver.solve(matrix, with, b, v, 1e-8, 2000, system.workers()));
         EXPECT_TRUE(outcome.back().converged);
         solution.push_back(reference::flat(v));
     }
