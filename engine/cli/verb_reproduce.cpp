@@ -179,9 +179,12 @@ void add_kept(const ClaimTable& table, const std::string& folder, MeasuredSetups
                                         folder, name, run.seed, setup->scene),
                             "make its runs again with --full --only " + name);
         }
-        if (!is_marked)
-            kept.remarks.push_back("kept from a report that does not say of which version of the "
-                                   "scene its runs are");
+        const std::string unmarked =
+            "kept from a report that does not say of which version of the scene its runs are";
+        // a report that was itself kept from another one says so already
+        if (!is_marked &&
+            std::find(kept.remarks.begin(), kept.remarks.end(), unmarked) == kept.remarks.end())
+            kept.remarks.push_back(unmarked);
         measured[name] = std::move(kept);
     }
 }
