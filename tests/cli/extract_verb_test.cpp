@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-class ExtractVerb : public ProgramRunner {
+class ExtractVerb : public EngineRunner {
   protected:
     ExtractVerb() {
         write_file("scene.toml", all_stages_scene());

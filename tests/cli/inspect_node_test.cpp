@@ -16,7 +16,7 @@ class InspectNode : public ProgramRunner {
   protected:
     void SetUp() override {
         write_file("scene.toml", all_stages_scene());
-        ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+        ASSERT_EQ(call_with(Program::engine, {"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
     }
     void expect_refused(std::vector<std::string> arguments, const std::string& words) const {
         arguments.insert(arguments.begin(), {"inspect", "o/run.h5"});

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using std::chrono::duration;
 using std::chrono::steady_clock;
 
-class KilledRun : public ProgramRunner {
+class KilledRun : public EngineRunner {
   protected:
     KilledRun() { write_file("scene.toml", all_stages_scene()); }
 

@@ -15,7 +15,7 @@ class OpeningElsewhere : public ProgramRunner {
   protected:
     void SetUp() override {
         write_file("scene.toml", all_stages_scene());
-        ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+        ASSERT_EQ(call_with(Program::engine, {"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
     }
     /// The output of a script under Debian's python3; nothing where that has no h5py.
     [[nodiscard]] Outcome python(const std::string& script, const std::string& argument) const {

@@ -12,7 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string k_program = SPHEROSCOPE_BINARY_DIR "/spheroscope";
+std::string file_of(Program program) {
+    return SPHEROSCOPE_BINARY_DIR +
+           std::string(program == Program::whole ? "/spheroscope" : "/spheroscope_engine");
+}
+
 const std::string k_out = ".out.txt", k_err = ".err.txt";
 
 std::string read_text(const fs::path& path) {
@@ -28,8 +32,9 @@ void send_to(int descriptor, const std::string& path, int flags) {
 
 }  // namespace
 
-ProgramRunner::ProgramRunner()
-    : folder_(fs::path(testing::TempDir()) / ("spheroscope run " + std::to_string(getpid()))) {
+ProgramRunner::ProgramRunner(Program program)
+    : program_(program),
+      folder_(fs::path(testing::TempDir()) / ("spheroscope run " + std::to_string(getpid()))) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
 }
@@ -39,10 +44,10 @@ ProgramRunner::~ProgramRunner() {
     fs::remove_all(folder_, ignored);
 }
 
-pid_t ProgramRunner::start(const std::vector<std::string>& arguments) const {
+pid_t ProgramRunner::start(const std::vector<std::string>& arguments, Program program) const {
     std::vector<std::string> words = arguments;
     const bool is_shell = !words.empty() && words.front() == "/bin/sh";
-    if (!is_shell) words.insert(words.begin(), k_program);
+    if (!is_shell) words.insert(words.begin(), file_of(program));
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
@@ -68,7 +73,7 @@ Outcome ProgramRunner::wait_for(pid_t process) const {
 }
 
 Outcome ProgramRunner::shell(const std::string& command) const {
-    return call({"/bin/sh", "-c", "PROGRAM='" + k_program + "'; " + command});
+    return call({"/bin/sh", "-c", "PROGRAM='" + file_of(program_) + "'; " + command});
 }
 
 void ProgramRunner::write_file(const std::string& name, const std::string& text) const {

@@ -16,19 +16,30 @@ struct Outcome {
     std::string out, err;
 };
 
+/// Which program a test calls. `engine` is built without pictures, as on a computer without VTK,
+/// and starts in a tenth of the time: the one for verbs that draw nothing.
+enum class Program { whole, engine };
+
 /// Runs the program as a shell or a user would: as a process of its own, in a folder of its own
 /// (with a space in its name) that is gone when the test is over.
 class ProgramRunner : public testing::Test {
   protected:
-    ProgramRunner();
+    explicit ProgramRunner(Program program = Program::whole);
     ~ProgramRunner() override;
 
     /// Starts the program with these arguments; the process is this test's own child.
-    [[nodiscard]] pid_t start(const std::vector<std::string>& arguments) const;
+    [[nodiscard]] pid_t start(const std::vector<std::string>& arguments) const {
+        return start(arguments, program_);
+    }
     /// Waits for it to end.
     [[nodiscard]] Outcome wait_for(pid_t process) const;
     [[nodiscard]] Outcome call(const std::vector<std::string>& arguments) const {
-        return wait_for(start(arguments));
+        return wait_for(start(arguments, program_));
+    }
+    /// The same with the other program, for a part of a test.
+    [[nodiscard]] Outcome call_with(Program program,
+                                    const std::vector<std::string>& arguments) const {
+        return wait_for(start(arguments, program));
     }
     /// A command of the shell, with $PROGRAM as the program, in the folder.
     [[nodiscard]] Outcome shell(const std::string& command) const;
@@ -41,7 +52,16 @@ class ProgramRunner : public testing::Test {
     [[nodiscard]] std::vector<std::string> names_in(const std::string& name) const;
 
   private:
+    [[nodiscard]] pid_t start(const std::vector<std::string>& arguments, Program program) const;
+
+    const Program program_;
     const std::filesystem::path folder_;
+};
+
+/// The same with the program that has no pictures.
+class EngineRunner : public ProgramRunner {
+  protected:
+    EngineRunner() : ProgramRunner(Program::engine) {}
 };
 
 /// Four cells of 42 nodes through all kinds of stages; a third of a second on one core.

@@ -1,4 +1,5 @@
-// The manual page and the completion say what --help says, verb by verb and option by option.
+// The manual page says what --help says, verb by verb and option by option, and the completion what
+// the manual page says.
 #include "tests/cli/program_runner.hpp"
 
 #include <regex>
@@ -40,21 +41,27 @@ class Reference : public ProgramRunner {
     Names options(const std::string& verb) const {
         return matches(call({verb, "--help"}).out, "\n *(?:-[a-z], ?)?--([a-z-]+)");
     }
+    std::string manual_page() const {
+        return std::regex_replace(call({"man"}).out, std::regex("\\\\-"), "-");
+    }
+    /// The long options of a verb's section of the manual page.
+    static Names options_in(const std::string& page, const std::string& verb) {
+        const std::size_t begin = page.find("\n.SS " + verb + "\n");
+        EXPECT_NE(begin, std::string::npos) << verb;
+        if (begin == std::string::npos) return {};
+        const std::size_t end = page.find("\n.S", begin + 1);
+        return matches(page.substr(begin, end - begin + 1), "\n\\.B (?:-[a-z], )?--([a-z-]+)");
+    }
 };
 
 TEST_F(Reference, TheManualPageHasTheVerbsAndOptionsOfHelpAndNoOthers) {
-    std::string page = call({"man"}).out;
-    page = std::regex_replace(page, std::regex("\\\\-"), "-");
+    const std::string page = manual_page();
     const std::vector<std::string> names = verbs();
     ASSERT_GT(names.size(), 8U);
     std::size_t n_options = 0;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::size_t begin = page.find("\n.SS " + names[i] + "\n");
-        ASSERT_NE(begin, std::string::npos) << names[i];
-        const std::size_t end = page.find("\n.S", begin + 1);
-        const Names in_page =
-            matches(page.substr(begin, end - begin + 1), "\n\\.B (?:-[a-z], )?--([a-z-]+)");
-        EXPECT_EQ(in_page, options(names[i])) << names[i];
+    for (const std::string& verb : names) {
+        const Names in_page = options_in(page, verb);
+        EXPECT_EQ(in_page, options(verb)) << verb;
         n_options += in_page.size();
     }
     EXPECT_GT(n_options, 40U) << "the control: there are options to compare";
@@ -78,14 +85,15 @@ TEST_F(Reference, TheCompletionKnowsEveryVerbAndItsOptions) {
                                       "; _spheroscope; printf \"%s\\n\" \"${COMPREPLY[@]}\"'");
         return matches(outcome.out, "([^\n]+)");
     };
-    Names all;
-    for (const std::string& verb : verbs()) all.insert(verb);
+    const std::string page = manual_page();
+    const std::vector<std::string> names = verbs();
+    Names all(names.begin(), names.end());
     all.insert({"--help", "--version"});
     EXPECT_EQ(complete("\"\"", 1), all);
     EXPECT_EQ(complete("stab", 1), Names{"stability"});
-    for (const std::string& verb : verbs()) {
+    for (const std::string& verb : names) {
         Names wanted;
-        for (const std::string& option : options(verb)) wanted.insert("--" + option);
+        for (const std::string& option : options_in(page, verb)) wanted.insert("--" + option);
         EXPECT_EQ(complete(verb + " --", 2), wanted) << verb;
     }
     write_file("scene.toml", "");

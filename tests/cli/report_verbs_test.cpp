@@ -10,7 +10,7 @@
 namespace spheroscope {
 namespace {
 
-class ReportVerbs : public ProgramRunner {
+class ReportVerbs : public EngineRunner {
   protected:
     ReportVerbs() { write_file("small.toml", k_stretched_cell); }
     [[nodiscard]] std::vector<std::string> lines_of(const std::string& name) const {

@@ -10,7 +10,7 @@
 namespace spheroscope {
 namespace {
 
-class RunSeeds : public ProgramRunner {
+class RunSeeds : public EngineRunner {
   protected:
     RunSeeds() { write_file("small.toml", k_three_cells_scene); }
 };

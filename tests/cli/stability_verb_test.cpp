@@ -20,7 +20,7 @@ name = "refused"
 set = ["cortex.elastic.E=-1", "stability.all.outcome=stops", "stability.all.names=['E']"]
 )";
 
-class StabilityVerb : public ProgramRunner {
+class StabilityVerb : public EngineRunner {
   protected:
     StabilityVerb() { write_file("scene.toml", k_scene); }
     [[nodiscard]] Outcome judge(const std::string& scene) const {
