@@ -147,7 +147,7 @@ ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& dra
                 if (!trial.is_stable) why = trial.why;
                 trials.push_back({{"dt_s", trial.dt_s},
                                   {"stable", trial.is_stable},
-                                  {"shape_error", number_or_null(trial.shape_error)},
+                                  {"speed_ratio", number_or_null(trial.speed_ratio)},
                                   {"why", trial.why}});
             }
             table.rows.push_back({ladder.scene, std::string(ladder.method->name),
@@ -242,9 +242,9 @@ Verb stability_verb(const reports::DrawPlot& draw) {
                              "raise the step of explicit methods until they blow up, beside "
                              "the program's own estimate (default: scenes/bench)");
                 add_common_options(command, arguments->common,
-                                   {CommonOption::output, CommonOption::threads, CommonOption::seed,
-                                    CommonOption::set, CommonOption::json, CommonOption::quiet,
-                                    CommonOption::time_limit});
+                                   {CommonOption::output_folder, CommonOption::threads,
+                                    CommonOption::seed, CommonOption::set, CommonOption::json,
+                                    CommonOption::quiet, CommonOption::time_limit});
                 return [arguments, draw](const Invocation& invocation) {
                     return stability(*arguments, draw, invocation);
                 };
