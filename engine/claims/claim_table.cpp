@@ -290,14 +290,14 @@ ClaimTable parse_claims(const std::string& text, const std::string& name) {
         for (const std::string& setup : setups)
             table.claims.push_back(read_claim(document, claim, setup, setups.size() > 1));
     }
-    if (table.claims.empty()) throw Error({name}, "there is no [[claim]] in it");
+    if (table.claims.empty()) throw Error(Loc{name, 0, 0}, "there is no [[claim]] in it");
     check_names(table);
     return table;
 }
 
 ClaimTable load_claims(const std::string& path) {
     std::ifstream file(path);
-    if (!file) throw Error({path}, "cannot be read");
+    if (!file) throw Error(path + ": cannot be read", "scenes/paper/paper.claims is the paper's");
     std::ostringstream text;
     text << file.rdbuf();
     return parse_claims(text.str(), path);

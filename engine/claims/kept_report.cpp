@@ -1,6 +1,7 @@
 #include "engine/claims/kept_report.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/base/fnv1a.hpp"
 #include "engine/reports/csv_table.hpp"
 
 #include <fmt/format.h>
@@ -14,10 +15,6 @@ using reports::CsvTable;
 using statistics::SetupNumber;
 
 constexpr reports::Missing k_none{"-"};
-
-reports::TableCell number_cell(double value) {
-    return std::isnan(value) ? reports::TableCell{k_none} : reports::TableCell{value};
-}
 
 /// "1.5 - 2.25": one value for each run.
 std::string list_text(const std::vector<double>& values) {
@@ -84,19 +81,18 @@ reports::ReportTable numbers_report(const MeasuredSetups& measured) {
     for (const auto& [name, setup] : measured)
         for (const SetupNumber& number : setup.numbers)
             table.rows.push_back(
-                {name, number.name, number.unit, number_cell(number.estimate.mean),
-                 number_cell(number.estimate.standard_error), std::int64_t{number.estimate.n},
-                 setup.law, std::int64_t{setup.n_cells},
+                {name, number.name, number.unit, number.estimate.mean,
+                 number.estimate.standard_error, std::int64_t{number.estimate.n}, setup.law,
+                 std::int64_t{setup.n_cells},
                  setup.n_nodes == 0 ? reports::TableCell{k_none} : std::int64_t{setup.n_nodes},
                  list_text(number.by_run)});
     return table;
 }
 
 std::string scene_mark(std::string_view resolved_toml) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const char c : resolved_toml)
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    return fmt::format("{:016x}", hash);
+    Fnv1a hash;
+    hash.add(resolved_toml);
+    return fmt::format("{:016x}", hash.value());
 }
 
 MeasuredSetups kept_setups(const std::string& folder) {

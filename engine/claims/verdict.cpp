@@ -121,13 +121,6 @@ std::string value_text(const Estimate& value) {
     return fmt::format("{:.4g} +- {:.2g}", value.mean, value.standard_error);
 }
 
-/// A number; "-" for NaN.
-reports::TableCell number_cell(double value) {
-    reports::TableCell cell = reports::Missing{"-"};
-    if (!std::isnan(value)) cell = value;
-    return cell;
-}
-
 const MeasuredSetup* setup_of(const JudgedClaim& judged, const MeasuredSetups& measured) {
     const auto at = measured.find(judged.claim->measured.setup);
     return at == measured.end() ? nullptr : &at->second;
@@ -204,8 +197,8 @@ reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
         table.rows.push_back(
             {claim.id, claim.source, claim.says, setups_text(claim), number_text(claim),
              claim.unit.empty() ? "1" : claim.unit, claim.paper.text(), claim.tolerance,
-             number_cell(row.value.mean), number_cell(row.value.standard_error),
-             std::int64_t{row.value.n}, setup == nullptr ? "" : setup->law,
+             row.value.mean, row.value.standard_error, std::int64_t{row.value.n},
+             setup == nullptr ? "" : setup->law,
              setup == nullptr ? reports::TableCell{none} : std::int64_t{setup->n_cells},
              setup == nullptr || setup->n_nodes == 0 ? reports::TableCell{none}
                                                      : std::int64_t{setup->n_nodes},
@@ -229,8 +222,8 @@ reports::ReportTable runs_report(const MeasuredSetups& measured) {
             else
                 cells.emplace_back(run.scene);
             for (const TotalsRow& row : all_totals())
-                cells.push_back(number_cell(run.totals ? value_of(row, *run.totals)
-                                                       : std::numeric_limits<double>::quiet_NaN()));
+                cells.emplace_back(run.totals ? value_of(row, *run.totals)
+                                              : std::numeric_limits<double>::quiet_NaN());
             table.rows.push_back(std::move(cells));
         }
     return table;
