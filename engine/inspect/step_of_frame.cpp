@@ -20,6 +20,10 @@ StepAnatomy step_of_frame(FrameSystem& frame, std::optional<NodeOfCell> node) {
     if (static_cast<int>(frame.cells().size()) != snapshot.header->n_cells)
         throw Error("a step is one of all cells");
     const Configuration at = system.configuration();
+    if (at.load.probe.acts() && !(at.load.probe.friction_nN_s_per_um > 0.0))
+        throw Error("frame " + std::to_string(snapshot.frame) +
+                        ": the file, of an earlier version, does not say how the bead moves",
+                    "run its scene again");
     State state;
     state.time_s = snapshot.time_s;
     state.x_um.assign(at.x_um.begin(), at.x_um.end());

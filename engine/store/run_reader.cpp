@@ -31,14 +31,21 @@ std::vector<ContactLink> read_contacts(const File& file, const std::string& step
     return links;
 }
 
-/// What the writer has left of a load: where the probe is, and the hull. How the probe moves is the
-/// run's own business.
+/// What the writer has left of a load: the probe, whose way begins here, and the hull. Files of
+/// earlier versions do not say how the probe moves: its friction is 0 then.
 Load read_load(const File& file, const std::string& step) {
     Load load;
     if (!file.exists(step + "/probe")) return load;
     const auto probe = file.read_array<double>(step + "/probe", {4});
     load.probe.start_um = Vec3(probe[0], probe[1], probe[2]);
     load.probe.radius_um = probe[3];
+    if (file.exists(step + "/probe_motion")) {
+        const auto motion = file.read_array<double>(step + "/probe_motion", {6});
+        load.probe.direction = Vec3(motion[0], motion[1], motion[2]);
+        load.probe.force_nN = motion[3];
+        load.probe.friction_nN_s_per_um = motion[4];
+        load.probe.speed_um_per_s = motion[5];
+    }
     const std::string group = run_format::k_hull;
     const std::uint64_t n_vertices = file.shape(group + "/vertices").at(0);
     const std::uint64_t n_triangles = file.shape(group + "/triangles").at(0);

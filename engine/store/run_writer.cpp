@@ -80,6 +80,12 @@ void write_load(File& file, const std::string& step, const Load& load) {
         step + "/probe",
         std::array{centre_um.x(), centre_um.y(), centre_um.z(), load.probe.radius_um}, {4});
     file.write_attribute(step + "/probe", "unit", std::string("um"));
+    const Probe& probe = load.probe;
+    file.write_array<double>(step + "/probe_motion",
+                             std::array{probe.direction.x(), probe.direction.y(),
+                                        probe.direction.z(), probe.force_nN,
+                                        probe.friction_nN_s_per_um, probe.speed_um_per_s},
+                             {6});
     if (file.exists(run_format::k_hull)) return;
     const Hull& hull = *load.hull;
     file.create_group(run_format::k_hull);

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-class InspectStep : public ProgramRunner {
+class InspectStep : public EngineRunner {
   protected:
     InspectStep() {
         write_file("scene.toml", all_stages_scene());
@@ -51,6 +51,18 @@ TEST_F(InspectStep, AddsUpToTheForceOnTheNode) {
     for (const char* words :
          {"a step of linearly_implicit", "after_nN", "|F - A v| / |F|", "the step is good: dt = "})
         EXPECT_NE(text.find(words), std::string::npos) << text;
+}
+
+TEST_F(InspectStep, OfARunUnderABeadMovesTheBeadAsTheRunDid) {
+    write_file("scene.toml", all_stages_scene() + "\n[[stage]]\nkind = \"indent\"\n"
+                                                  "duration = \"1 s\"\nevery = \"0.5 s\"\n"
+                                                  "force = \"15 nN\"\nprobe_radius = \"27 um\"\n");
+    ASSERT_EQ(call({"run", "scene.toml", "-o", "b", "--quiet", "--threads", "1"}).code, 0);
+    const Outcome outcome = call({"inspect", "b/run.h5", "--step", "--json", "--quiet"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json step = json::parse(outcome.out)["step"];
+    EXPECT_TRUE(step["accepted"].get<bool>()) << outcome.out;
+    EXPECT_LT(step["phases"][1]["relative_residual"].back().get<double>(), 1e-2);
 }
 
 TEST_F(InspectStep, RefusesWhatHasNoStep) {

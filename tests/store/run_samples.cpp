@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <tuple>
 
 namespace spheroscope::samples {
 namespace {
@@ -103,6 +104,11 @@ Snapshot make_frame(const std::shared_ptr<const RunHeader>& header, int number) 
         frame.load.hull = std::make_shared<const Hull>(std::move(hull));
         frame.load.probe.radius_um = 27.1;
         frame.load.probe.start_um = Vec3(0.1 * s, -0.3, 1.0 / 3.0);
+        frame.load.probe.direction = Vec3(0.6, 0.0, -0.8);
+        frame.load.probe.way_um = 0.25 * s;
+        frame.load.probe.force_nN = 15.0;
+        frame.load.probe.friction_nN_s_per_um = 25.5;
+        frame.load.probe.speed_um_per_s = s / 7.0;
     }
     double value = 11.5 * s;
     for (const run_format::Column& column : run_format::columns()) {
@@ -117,8 +123,12 @@ Snapshot make_frame(const std::shared_ptr<const RunHeader>& header, int number) 
 namespace {
 
 bool same_load(const Load& got, const Load& wanted) {
+    const auto motion = [](const Probe& probe) {
+        return std::tuple(probe.force_nN, probe.friction_nN_s_per_um, probe.speed_um_per_s);
+    };
     if (got.probe.radius_um != wanted.probe.radius_um ||
-        got.probe.centre_um() != wanted.probe.centre_um())
+        got.probe.centre_um() != wanted.probe.centre_um() ||
+        got.probe.direction != wanted.probe.direction || motion(got.probe) != motion(wanted.probe))
         return false;
     if ((got.hull == nullptr) != (wanted.hull == nullptr)) return false;
     return got.hull == nullptr || (got.hull->vertex_um == wanted.hull->vertex_um &&
