@@ -89,7 +89,7 @@ cli::Verb export_verb() {
                 command.option("--frame", arguments->frame,
                                "this frame only; -1 is the last (default: all)");
                 cli::add_common_options(command, arguments->common,
-                                        {CommonOption::output, CommonOption::json});
+                                        {CommonOption::output_folder, CommonOption::json});
                 return [arguments](const cli::Invocation&) { return export_run(*arguments); };
             }};
 }

@@ -52,7 +52,7 @@ Runs measure_files(const std::vector<std::string>& files) {
             runs.measured.push_back(cli::measure_stored_run(file));
             spdlog::info("{}: measured", file);
         } catch (const cli::NothingToMeasure& error) {
-            runs.left_out.push_back({file, error.what()});
+            runs.left_out.push_back({file, error.reason()});
         }
     }
     return runs;
@@ -203,9 +203,10 @@ std::string text_of(const SetupStatistics& setup) {
                              run.outcome.empty() ? "not ended" : run.outcome);
     std::string text = fmt::format("{}\n  {:<32} {}\n", setup.label, "seeds", seeds);
     for (const statistics::SetupNumber& number : statistics::numbers_of(setup))
-        text += fmt::format("  {:<32} {}{}\n", number.name,
-                            cli::with_error(number.estimate.mean, number.estimate.standard_error),
-                            number.unit == "1" || number.estimate.n == 0 ? "" : " " + number.unit);
+        text += fmt::format(
+            "  {:<32} {}{}\n", number.name,
+            cli::with_error(number.estimate.mean, number.estimate.standard_error),
+            number.unit == "1" || std::isnan(number.estimate.mean) ? "" : " " + number.unit);
     return text;
 }
 
@@ -281,7 +282,7 @@ cli::Verb figures_verb() {
                                "this figure only, fig2 ... fig7; may be given several times");
                 cli::add_common_options(
                     command, arguments->common,
-                    {CommonOption::output, CommonOption::json, CommonOption::quiet});
+                    {CommonOption::output_folder, CommonOption::json, CommonOption::quiet});
                 return [arguments](const cli::Invocation& invocation) {
                     return make_figures(*arguments, invocation);
                 };

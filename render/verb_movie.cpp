@@ -45,12 +45,10 @@ bool has_finished_run(const cli::RunPlace& place, const scene::Scene& scene) {
         const RunFileReader reader(place.run_file());
         // Only what the engine reads counts: other pictures of the same run need no new run.
         const scene::Scene stored = scene::parse_scene(reader.header()->resolved_scene, "stored");
-        const auto physics = [](const std::string& text) {
-            return text.substr(0, text.find("[[picture]]"));
-        };
         return reader.is_complete() && reader.changes().empty() &&
                reader.header()->version == cli::version_text() &&
-               physics(stored.resolved_toml) == physics(scene.resolved_toml);
+               cli::without_pictures(stored.resolved_toml) ==
+                   cli::without_pictures(scene.resolved_toml);
     } catch (const Error&) {
         return false;  // whatever is there is not this run; simulate() says what it thinks of it
     }
@@ -151,8 +149,9 @@ std::string run_of_picture(const fs::path& picture) {
 ExitCode verify(const MovieArguments& arguments, const cli::Invocation& invocation) {
     const render::PngFile file = render::read_png(arguments.verify);
     if (render::n_runs_shown(file.texts) != (arguments.compare.empty() ? 1 : 2))
-        throw Error(arguments.compare.empty() ? arguments.verify + " shows two runs side by side"
-                                              : arguments.verify + " shows one run",
+        throw Error(arguments.compare.empty()
+                        ? arguments.verify + " shows two runs, or two frames of one, side by side"
+                        : arguments.verify + " shows one run",
                     arguments.compare.empty() ? "name the other one with --compare"
                                               : "leave --compare out");
     std::string run_file =
@@ -217,6 +216,10 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
     if (arguments.input.empty())
         throw Error("movie wants a scene or a run's file, got none",
                     "spheroscope movie --help lists what it takes");
+    if (!arguments.common.output.empty())
+        if (const std::string problem = cli::problem_of_folder(arguments.common.output);
+            !problem.empty())
+            throw Error("-o: " + problem, "with --verify it is the file of a sheet");
     if (!arguments.compare.empty()) static_cast<void>(RunFileReader(arguments.compare));
     MovieOutcome outcome;
     outcome.document["movies"] = nlohmann::json::array();

@@ -8,8 +8,24 @@ bool is_run_file(const std::string& path) {
     return std::filesystem::path(path).extension() == ".h5";
 }
 
+namespace {
+
+/// A run that is there was simulated with its own values: only how it is drawn can change.
+void check_is_of_pictures(const std::string& file, const cli::CommonOptions& options) {
+    for (const scene::Override& change : options.overrides())
+        if (!change.key.starts_with("picture["))
+            throw Error(change.key == "scene.seed"
+                            ? file + ": --seed means nothing to a run that is there"
+                            : file + ": --set " + change.key +
+                                  " means nothing to a run that is there",
+                        "keys of its pictures can be changed; `movie SCENE` simulates anew");
+}
+
+}  // namespace
+
 std::vector<scene::Picture> pictures_of(const RunFileReader& reader,
                                         const cli::CommonOptions& options) {
+    check_is_of_pictures(reader.path(), options);
     const scene::Scene scene = scene::parse_scene(reader.header()->resolved_scene,
                                                   "scene in " + reader.path(), options.overrides());
     if (scene.pictures.empty())

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -24,8 +25,8 @@ namespace fs = std::filesystem;
 struct RenderArguments {
     std::string file;
     std::string picture;
-    int frame = -1;
-    std::string frames;  ///< as given, "anneal,120,-1"; empty: one frame alone
+    std::optional<int> frame;  ///< none: the last one
+    std::string frames;        ///< as given, "anneal,120,-1"; empty: one frame alone
     cli::CommonOptions common;
 };
 
@@ -83,11 +84,14 @@ void render_strip(render::FrameSource& run, scene::Picture picture, const std::s
 }
 
 ExitCode render_stills(const RenderArguments& arguments) {
+    if (arguments.frame && !arguments.frames.empty())
+        throw Error("--frame and --frames exclude each other", "each of them says what is drawn");
     const RunFileReader reader(arguments.file);
     const int n_frames = reader.n_frames();
-    const int frame = arguments.frame < 0 ? n_frames + arguments.frame : arguments.frame;
+    const int wanted = arguments.frame.value_or(-1);
+    const int frame = wanted < 0 ? n_frames + wanted : wanted;
     if (frame < 0 || frame >= n_frames)
-        throw Error(arguments.file + ": there is no frame " + std::to_string(arguments.frame),
+        throw Error(arguments.file + ": there is no frame " + std::to_string(wanted),
                     n_frames == 0 ? "the run has no frames yet"
                                   : "frames are 0 to " + std::to_string(n_frames - 1) +
                                         ", or -1 for the last");
@@ -142,7 +146,7 @@ cli::Verb render_verb() {
                 command.option("--picture", arguments->picture,
                                "name of a [[picture]], or 'all'; default: the first");
                 cli::add_common_options(command, arguments->common,
-                                        {CommonOption::output, CommonOption::set});
+                                        {CommonOption::output_folder, CommonOption::set});
                 return [arguments](const cli::Invocation&) { return render_stills(*arguments); };
             }};
 }

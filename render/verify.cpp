@@ -35,6 +35,7 @@ int number_of(const std::string& text, const std::string& key) {
 }  // namespace
 
 int n_runs_shown(const PngTexts& texts) {
+    static_cast<void>(text_of(texts, k_view_key));
     return texts.contains(std::string(MoviePainter::k_beside) + k_view_key) ? 2 : 1;
 }
 

@@ -25,7 +25,8 @@ struct Verification {
 [[nodiscard]] Verification verify_picture(const PngFile& file, std::span<FrameSource* const> runs,
                                           const std::string& drawn_by);
 
-/// How many runs the picture shows side by side, 1 or 2.
+/// How many runs, or frames of one, the picture shows side by side: 1, or 2 for more than one.
+/// Throws Error when the file does not say how it was drawn.
 [[nodiscard]] int n_runs_shown(const PngTexts& texts);
 
 }  // namespace spheroscope::render

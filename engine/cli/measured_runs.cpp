@@ -46,7 +46,10 @@ statistics::RunStatistics measure_stored_run(const std::string& file) {
         run.outcome = reader.outcome();
         return run;
     } catch (const Error& error) {
-        throw NothingToMeasure(error.what());
+        constexpr std::string_view prefix = "error: ";
+        std::string reason = error.what();
+        if (reason.starts_with(prefix)) reason.erase(0, prefix.size());
+        throw NothingToMeasure(reason);
     }
 }
 

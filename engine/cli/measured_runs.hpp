@@ -10,7 +10,12 @@ namespace spheroscope::cli {
 /// A run that can be read, and has no mechanics in it.
 class NothingToMeasure : public Error {
   public:
-    using Error::Error;
+    explicit NothingToMeasure(const std::string& reason) : Error(reason), reason_(reason) {}
+    /// Why, as a part of a sentence of the reader's.
+    [[nodiscard]] const std::string& reason() const { return reason_; }
+
+  private:
+    std::string reason_;
 };
 
 /// The last frame of a stored run, measured, and all of its frames under a bead. Throws Error when

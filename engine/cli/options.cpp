@@ -24,8 +24,12 @@ std::string problem_of_target(const std::string& name) {
 }
 
 std::string problem_of_seed(const std::string& text) {
-    const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-    return digits ? "" : fmt::format("wanted a whole number from 0, got '{}'", text);
+    constexpr std::size_t most_digits = 18;  // below 2^63, as numbers of a scene are
+    const bool digits = !text.empty() && text.size() <= most_digits &&
+                        text.find_first_not_of("0123456789") == std::string::npos;
+    return digits ? ""
+                  : fmt::format("wanted a whole number of at most {} digits, got '{}'", most_digits,
+                                text);
 }
 
 void add_common_option(CommandLine& command, CommonOptions& options, CommonOption wanted) {
@@ -33,6 +37,10 @@ void add_common_option(CommandLine& command, CommonOptions& options, CommonOptio
     case CommonOption::output:
         command.option("-o,--output", options.output, "file or folder to write",
                        {"PATH", problem_of_path});
+        return;
+    case CommonOption::output_folder:
+        command.option("-o,--output", options.output, "folder to write into",
+                       {"FOLDER", problem_of_folder});
         return;
     case CommonOption::threads:
         command.option("--threads", options.threads, "threads to compute with (default: all)",
@@ -91,6 +99,14 @@ std::optional<double> positive_time_s(const std::string& option, const std::stri
 }
 
 }  // namespace
+
+std::string problem_of_folder(const std::string& path) {
+    const std::string ending = std::filesystem::path(path).extension();
+    for (const char* of_a_file : {".png", ".svg", ".pdf", ".mp4", ".h5", ".csv", ".json", ".toml"})
+        if (ending == of_a_file)
+            return fmt::format("wanted a folder to write into, got '{}', the name of a file", path);
+    return problem_of_path(path);
+}
 
 std::vector<scene::Override> CommonOptions::overrides() const {
     std::vector<scene::Override> result;

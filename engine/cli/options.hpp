@@ -13,7 +13,8 @@ namespace spheroscope::cli {
 
 /// The options that several verbs share. A verb takes some of them; all mean the same everywhere.
 enum class CommonOption {
-    output,
+    output,  ///< a file
+    output_folder,
     threads,
     simd,
     seed,
@@ -55,5 +56,9 @@ struct CommonOptions {
 /// Declares the wanted options on a verb's command line; `options` must live until it is read.
 void add_common_options(CommandLine& command, CommonOptions& options,
                         std::initializer_list<CommonOption> wanted);
+
+/// What is wrong with the name of a folder to write into: it is empty, or looks like that of a
+/// file; "" if nothing is.
+[[nodiscard]] std::string problem_of_folder(const std::string& path);
 
 }  // namespace spheroscope::cli

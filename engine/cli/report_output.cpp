@@ -21,7 +21,7 @@ std::string report_folder(const CommonOptions& options, const std::string& stand
     std::filesystem::create_directories(folder, failed);
     if (failed)
         throw Error(folder + ": cannot make this folder (" + failed.message() + ")",
-                    "choose another one with -o", ExitCode::environment);
+                    "choose another one with -o");
     return folder;
 }
 

@@ -94,7 +94,8 @@ StartPoint point_to_resume(const RunPlace& place, const RunHeader& header) {
     return start;
 }
 
-/// Throws if the run cannot begin there, or would overwrite an unfinished one.
+/// Throws if the run cannot begin there, or would overwrite an unfinished one or that of another
+/// scene.
 StartPoint start_point(const RunPlace& place, const RunHeader& header, bool resume,
                        bool overwrite) {
     if (resume && overwrite)
@@ -106,6 +107,10 @@ StartPoint start_point(const RunPlace& place, const RunHeader& header, bool resu
         if (!reader.is_complete())
             throw Error(place.run_file() + ": an unfinished run is there",
                         "--resume goes on with it, --overwrite begins anew, -o writes elsewhere");
+        if (without_pictures(reader.header()->resolved_scene) !=
+            without_pictures(header.resolved_scene))
+            throw Error(place.run_file() + ": the finished run of another scene or seed is there",
+                        "--overwrite replaces it, -o writes elsewhere");
     }
     return {};
 }
@@ -205,6 +210,10 @@ SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene&
 }
 
 }  // namespace
+
+std::string_view without_pictures(std::string_view resolved_scene) {
+    return resolved_scene.substr(0, resolved_scene.find("[[picture]]"));
+}
 
 RunPlace run_place(const std::string& scene_file, const CommonOptions& options) {
     if (!options.output.empty()) return {options.output};

@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spheroscope::cli {
@@ -30,7 +31,8 @@ struct SimulationSummary {
 /// Simulates a scene into its place: the engine in its own thread, the store in another one, both
 /// joined before this returns. SIGINT and SIGTERM end the step in progress and leave a checkpoint.
 /// With options.resume the run goes on from its newest checkpoint. Throws Error when it cannot
-/// begin: an unfinished run is never overwritten unless `overwrite`.
+/// begin: an unfinished run, or a finished one of another scene, is never overwritten unless
+/// `overwrite`.
 /// `changes` are made on the way; those and what `live` changes are recorded in the run's file. A
 /// resumed run makes the changes that its file holds.
 [[nodiscard]] SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
@@ -38,6 +40,9 @@ struct SimulationSummary {
                                          const Invocation& invocation,
                                          const std::vector<Change>& changes = {},
                                          LiveControl* live = nullptr);
+
+/// What a run depends on, of a resolved scene.
+[[nodiscard]] std::string_view without_pictures(std::string_view resolved_scene);
 
 /// The summary for people, and for scripts.
 [[nodiscard]] std::string summary_text(const SimulationSummary& summary, const RunPlace& place);

@@ -202,8 +202,8 @@ Verb bench_verb() {
                 command.option("--repetitions", arguments->repetitions,
                                "of every timing; the least counts", between(1, 1000));
                 add_common_options(command, arguments->common,
-                                   {CommonOption::output, CommonOption::json, CommonOption::quiet,
-                                    CommonOption::time_limit});
+                                   {CommonOption::output_folder, CommonOption::json,
+                                    CommonOption::quiet, CommonOption::time_limit});
                 return [arguments](const Invocation& invocation) {
                     return bench(*arguments, invocation);
                 };

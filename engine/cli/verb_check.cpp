@@ -111,6 +111,7 @@ ExitCode check(const CheckArguments& arguments) {
         static_cast<void>(chosen_method(scene));
         static_cast<void>(chosen_fields(scene));
         check_expectation_names(scene);
+        check_centres(scene);
         if (arguments.common.json) {
             nlohmann::json document = describe(scene);
             if (arguments.explain) document["plan"] = describe(explain(scene));

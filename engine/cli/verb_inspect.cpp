@@ -270,6 +270,11 @@ ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invoc
                      "there",
                      reader.path(), reader.outcome().empty() ? "not ended" : reader.outcome(),
                      reader.n_frames());
+    if (reader.frame(frame)->stage_name == "anneal")
+        spdlog::warn(
+            "frame {} is of the seeding, which packs beads: its forces are what cells would feel "
+            "in their places, and have moved nothing",
+            frame);
     const bool is_whole_run = arguments.history || arguments.events;
     if (arguments.step) {
         show_step(arguments, reader, reader.frame(frame));

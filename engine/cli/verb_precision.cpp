@@ -21,7 +21,7 @@ struct PrecisionArguments {
     std::string scene;
     bool mesh = false;
     int levels = 5;
-    int most_nodes = 2562;
+    int most_nodes = 0;  // 0: not given, 2562
     CommonOptions common;
 };
 
@@ -47,6 +47,9 @@ void give_out(const std::string& path, const reports::ReportTable& table, const 
 ExitCode precision(const PrecisionArguments& arguments, const reports::DrawPlot& draw,
                    const Invocation& invocation) {
     if (arguments.common.quiet) make_log_quiet();
+    if (arguments.most_nodes > 0 && !arguments.mesh)
+        throw Error("--most-nodes is about mesh levels, and these are steps and tolerances",
+                    "add --mesh, or --set cells.nodes=N for another mesh");
     const scene::Scene scene = scene::load_scene(arguments.scene, arguments.common.overrides());
     for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
     const std::string folder =
@@ -65,8 +68,8 @@ ExitCode precision(const PrecisionArguments& arguments, const reports::DrawPlot&
         progress.update({what, share, unknown, unknown});
     };
     if (arguments.mesh) {
-        const reports::MeshLadder ladder =
-            reports::compute_mesh_ladder(scene, arguments.most_nodes, options);
+        const reports::MeshLadder ladder = reports::compute_mesh_ladder(
+            scene, arguments.most_nodes > 0 ? arguments.most_nodes : 2562, options);
         progress.clear();
         give_out(folder + "/mesh", table_of(ladder), notes_of(ladder, scene.cells.nodes),
                  json_of(ladder, scene.cells.nodes), draw, nullptr, arguments, invocation);
@@ -95,12 +98,12 @@ Verb precision_verb(const reports::DrawPlot& draw) {
                                "steps or tolerances of each method, around the scene's own",
                                between(1, 12));
                 command.option("--most-nodes", arguments->most_nodes,
-                               "finest level of --mesh: 42, 162, 642 or 2562 nodes",
+                               "finest level of --mesh: 42, 162, 642 or 2562 nodes (default: 2562)",
                                one_of({42, 162, 642, 2562}));
                 add_common_options(command, arguments->common,
-                                   {CommonOption::output, CommonOption::threads, CommonOption::seed,
-                                    CommonOption::set, CommonOption::json, CommonOption::quiet,
-                                    CommonOption::time_limit});
+                                   {CommonOption::output_folder, CommonOption::threads,
+                                    CommonOption::seed, CommonOption::set, CommonOption::json,
+                                    CommonOption::quiet, CommonOption::time_limit});
                 return [arguments, draw](const Invocation& invocation) {
                     return precision(*arguments, draw, invocation);
                 };

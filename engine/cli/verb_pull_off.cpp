@@ -96,8 +96,9 @@ Verb pull_off_verb(const reports::DrawPlot& draw) {
                                "by which the force grows, nN/s (default 0.05)",
                                between(1e-4, 100.0));
                 add_common_options(command, arguments->common,
-                                   {CommonOption::output, CommonOption::threads, CommonOption::seed,
-                                    CommonOption::set, CommonOption::json, CommonOption::quiet});
+                                   {CommonOption::output_folder, CommonOption::threads,
+                                    CommonOption::seed, CommonOption::set, CommonOption::json,
+                                    CommonOption::quiet});
                 return [arguments, draw](const Invocation& invocation) {
                     return pull_off(*arguments, draw, invocation);
                 };

@@ -46,7 +46,7 @@ struct Extent {
 Extent extent_of(const ReproduceArguments& arguments) {
     if (int{arguments.quick} + int{arguments.full} + int{arguments.stored} != 1)
         throw Error("reproduce wants one of --quick, --full, --stored",
-                    "--quick takes some ten minutes, --full hours; --stored judges the runs that "
+                    "--quick takes some minutes, --full hours; --stored judges the runs that "
                     "are there");
     return {arguments.quick, !arguments.stored};
 }
@@ -304,7 +304,8 @@ Verb reproduce_verb() {
                 const auto arguments = std::make_shared<ReproduceArguments>();
                 command.optional_argument("CLAIMS", arguments->claims,
                                           "file of claims; default: the paper's");
-                command.flag("--quick", arguments->quick, "some seeds of some setups: ten minutes");
+                command.flag("--quick", arguments->quick,
+                             "some seeds of some setups: five minutes on two cores");
                 command.flag("--full", arguments->full, "all seeds of all setups: hours");
                 command.flag("--stored", arguments->stored,
                              "judge the runs that are in the folder, make none");
@@ -315,8 +316,8 @@ Verb reproduce_verb() {
                     "folder of an earlier report: setups without runs here are judged by "
                     "its numbers");
                 add_common_options(command, arguments->common,
-                                   {CommonOption::output, CommonOption::threads, CommonOption::simd,
-                                    CommonOption::json, CommonOption::quiet});
+                                   {CommonOption::output_folder, CommonOption::threads,
+                                    CommonOption::simd, CommonOption::json, CommonOption::quiet});
                 return [arguments](const Invocation& invocation) {
                     return reproduce(*arguments, invocation);
                 };

@@ -86,9 +86,9 @@ Verb run_verb() {
                                "a folder of its own",
                                {.type = "SEEDS"});
                 add_common_options(command, arguments->common,
-                                   {CommonOption::output, CommonOption::threads, CommonOption::simd,
-                                    CommonOption::seed, CommonOption::set, CommonOption::json,
-                                    CommonOption::quiet, CommonOption::resume,
+                                   {CommonOption::output_folder, CommonOption::threads,
+                                    CommonOption::simd, CommonOption::seed, CommonOption::set,
+                                    CommonOption::json, CommonOption::quiet, CommonOption::resume,
                                     CommonOption::time_limit, CommonOption::checkpoint_every});
                 return [arguments](const Invocation& invocation) {
                     return run(*arguments, invocation);

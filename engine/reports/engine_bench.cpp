@@ -10,6 +10,8 @@
 #include "engine/reports/machine.hpp"
 #include "engine/stages/build.hpp"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -222,6 +224,8 @@ BenchRow run_bench(const BenchSize& size, int repetitions) {
     const scene::Scene scene = scene_of(size);
     BenchRow row;
     row.size = size;
+    // what rows before this one have given back must not look like less of this one's
+    malloc_trim(0);
     const double memory_before_MB = resident_MB();
     Model model = make_model(make_icosphere(size.nodes), cell_radii(scene, {}));
     std::array<std::vector<Vec3>, 2> x_um;

@@ -45,8 +45,8 @@ constexpr Bound strain{[](double x) { return x > -0.5 && x <= 1.0; }, "above -0.
 constexpr Bound packing{[](double x) { return x >= 0.1 && x <= 0.64; },
                         "0.1 ... 0.64 (random close packing)"};
 constexpr Bound pixels{
-    [](double x) { return x >= 16.0 && x <= 8192.0 && std::fmod(x, 2.0) == 0.0; },
-    "even numbers in 16 ... 8192, as movies need them"};
+    [](double x) { return x >= 64.0 && x <= 4096.0 && std::fmod(x, 2.0) == 0.0; },
+    "even numbers in 64 ... 4096, as movies need them"};
 constexpr Bound elevation{[](double x) { return std::abs(x) <= 90.0; }, "-90 ... 90 deg"};
 constexpr Bound frame_rate{[](double x) { return x >= 1.0 && x <= 240.0; }, "1 ... 240"};
 

@@ -69,8 +69,12 @@ std::string_view only_home_of(std::string_view name) {
 [[noreturn]] void refuse_unknown(const Value::Entry& entry, std::string_view path) {
     const std::string nearest = nearest_word(entry.key, names_in(path));
     if (entry.value.is_table() || entry.value.is_list_of_tables()) {
-        std::string message = fmt::format("unknown table [{}]", joined(path, entry.key));
-        if (!nearest.empty()) message += fmt::format("; did you mean [{}]?", joined(path, nearest));
+        const bool is_list = entry.value.is_list_of_tables();
+        const auto bracketed = [&](std::string_view name) {
+            return fmt::format(fmt::runtime(is_list ? "[[{}]]" : "[{}]"), joined(path, name));
+        };
+        std::string message = "unknown table " + bracketed(entry.key);
+        if (!nearest.empty()) message += fmt::format("; did you mean {}?", bracketed(nearest));
         throw Error(entry.value.is_table() ? entry.value.loc : entry.loc, message);
     }
     std::string message = fmt::format("unknown key '{}' {}", entry.key,

@@ -107,6 +107,23 @@ std::vector<double> cell_radii(const scene::Scene& scene, const std::optional<Gi
         cells.count, scene.seed);
 }
 
+void check_centres(const scene::Scene& scene) {
+    if (scene.cells.arrangement != scene::Arrangement::centres) return;
+    const auto& rows = scene.cells.centres_um;  // x, y, z, radius
+    for (std::size_t a = 0; a < rows.size(); ++a)
+        for (std::size_t b = a + 1; b < rows.size(); ++b) {
+            const Vec3 between_um(rows[a][0] - rows[b][0], rows[a][1] - rows[b][1],
+                                  rows[a][2] - rows[b][2]);
+            const double overlap_um = rows[a][3] + rows[b][3] - between_um.norm();
+            if (overlap_um > std::min(rows[a][3], rows[b][3]))
+                throw Error(scene.cells.loc,
+                            "cells.centres: cells " + std::to_string(a) + " and " +
+                                std::to_string(b) + " overlap by " + std::to_string(overlap_um) +
+                                " um, more than a radius",
+                            "move their centres apart; no contact law can undo that");
+        }
+}
+
 std::vector<Vec3> start_positions(const scene::Scene& scene, const Model& model,
                                   const std::optional<GivenCells>& given) {
     std::vector<Vec3> x_um(model.n_all_nodes(), Vec3::Zero());
@@ -127,17 +144,7 @@ std::vector<Vec3> start_positions(const scene::Scene& scene, const Model& model,
         std::vector<Vec3> centre_um;
         for (const auto& row : scene.cells.centres_um)
             centre_um.emplace_back(row[0], row[1], row[2]);
-        for (std::size_t a = 0; a < centre_um.size(); ++a)
-            for (std::size_t b = a + 1; b < centre_um.size(); ++b) {
-                const double reach_um = model.radius_um[a] + model.radius_um[b];
-                const double overlap_um = reach_um - (centre_um[a] - centre_um[b]).norm();
-                if (overlap_um > std::min(model.radius_um[a], model.radius_um[b]))
-                    throw Error(scene.cells.loc,
-                                "cells.centres: cells " + std::to_string(a) + " and " +
-                                    std::to_string(b) + " overlap by " +
-                                    std::to_string(overlap_um) + " um, more than a radius",
-                                "move their centres apart; no contact law can undo that");
-            }
+        check_centres(scene);
         place_cells(model, centre_um, scene.seed, x_um);
         break;
     }

@@ -33,6 +33,10 @@ struct GivenCells {
 [[nodiscard]] std::vector<double> cell_radii(const scene::Scene& scene,
                                              const std::optional<GivenCells>& given);
 
+/// Throws Error for cells of `arrangement = "centres"` that overlap by more than a radius: no
+/// contact law can undo that.
+void check_centres(const scene::Scene& scene);
+
 /// Node positions at the start; for a packing all zero until the beads are replaced.
 /// Throws Error when given cells are inside out, not finite, or do not fit the scene's mesh, or
 /// when held forces are asked for that are not given.

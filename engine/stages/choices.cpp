@@ -2,6 +2,7 @@
 
 #include "engine/measures/totals.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace spheroscope {
@@ -71,13 +72,20 @@ std::string_view part_of(const Field& field) {
 std::vector<const Field*> chosen_fields(const scene::Scene& scene) {
     std::vector<const Field*> fields;
     for (const std::string& name : scene.measures.fields) {
+        // The scene's reader adds the fields of pictures to the list: a mistake is where it was
+        // made.
+        const auto picture = std::find_if(scene.pictures.begin(), scene.pictures.end(),
+                                          [&](const scene::Picture& p) { return p.field == name; });
+        const bool is_of_picture = picture != scene.pictures.end();
+        const Loc& loc = is_of_picture ? picture->loc : scene.measures.loc;
+        const std::string key = is_of_picture ? "picture.field: " : "measures.fields: ";
         const Field* const field = find_field(name);
         if (field == nullptr)
-            throw Error(scene.measures.loc, "measures.fields: there is no field '" + name + "'",
+            throw Error(loc, key + "there is no field '" + name + "'",
                         "fields are:" + names_of(all_fields()));
         if (!has_part_of(scene, *field))
-            throw Error(scene.measures.loc,
-                        "measures.fields: '" + name + "' means nothing here: the scene has no " +
+            throw Error(loc,
+                        key + "'" + name + "' means nothing here: the scene has no " +
                             std::string(part_of(*field)),
                         "it is " + std::string(field->description));
         fields.push_back(field);

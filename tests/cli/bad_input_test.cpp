@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class BadInput : public ProgramRunner {
+class BadInput : public EngineRunner {
   protected:
     /// Runs the scene; it must be refused with the code, at the place, with these words.
     void expect_refused(const std::string& scene, const std::string& place,
@@ -26,13 +26,16 @@ class BadInput : public ProgramRunner {
     }
     /// The same for a call without a place in a scene.
     void expect_refused(const std::vector<std::string>& arguments, const std::string& words,
-                        int code = 2) const {
+                        Program program = Program::engine) const {
         SCOPED_TRACE(words);
-        const Outcome outcome = call(arguments);
-        EXPECT_EQ(outcome.code, code) << outcome.err;
+        const Outcome outcome = call_with(program, arguments);
+        EXPECT_EQ(outcome.code, 2) << outcome.err;
         EXPECT_EQ(outcome.out, "");
         EXPECT_NE(outcome.err.find("error: "), std::string::npos) << outcome.err;
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+    bool has_pictures() const {
+        return call_with(Program::whole, {"--help"}).out.find("\n  movie ") != std::string::npos;
     }
     static std::string changed(const std::string& what, const std::string& instead) {
         return with(all_stages_scene(), what, instead);
@@ -86,6 +89,24 @@ TEST_F(BadInput, IsFoundByCheckAsWell) {
 TEST_F(BadInput, OfCentresWithinEachOtherNamesTheCells) {
     expect_refused(with_centres("[[0, 0, 0, 9], [0, 0, 1, 9]]"), "scene.toml:5:1",
                    "cells 0 and 1 overlap");
+    EXPECT_EQ(call({"check", "scene.toml"}).code, 2);
+}
+
+TEST_F(BadInput, InThePictureOfASceneIsRefusedThere) {
+    expect_refused(changed("field = \"sigma_h\"", "field = \"sigma_g\""), "scene.toml:76:1",
+                   "picture.field: there is no field 'sigma_g'");
+    expect_refused(changed("[[picture]]", "[[pictures]]"), "scene.toml:76:3",
+                   "did you mean [[picture]]?");
+    expect_refused(changed("[320, 200]", "[32, 32]"), "scene.toml:79:9", "64 ... 4096");
+}
+
+TEST_F(BadInput, OfOptionsThatMeanNothingThereIsNotIgnored) {
+    write_file("scene.toml", all_stages_scene());
+    expect_refused({"run", "scene.toml", "-o", "x.h5"}, "a folder to write into, got 'x.h5'");
+    expect_refused({"run", "scene.toml", "--seed", "99999999999999999999"}, "at most 18 digits");
+    expect_refused({"precision", "scene.toml", "--most-nodes", "162"}, "--most-nodes is about");
+    expect_refused({"reproduce", "no.claims", "--stored"}, "no.claims: cannot be read");
+    EXPECT_FALSE(fs::exists(path("x.h5")));
 }
 
 TEST_F(BadInput, OnTheCommandLineIsRefusedByOneMessage) {
@@ -103,8 +124,23 @@ TEST_F(BadInput, OnTheCommandLineIsRefusedByOneMessage) {
     EXPECT_FALSE(fs::exists(path("out")));
 }
 
+TEST_F(BadInput, OfChangesToARunThatIsThereIsNotIgnored) {
+    if (!has_pictures()) GTEST_SKIP() << "built without pictures";
+    write_file("scene.toml", all_stages_scene());
+    ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+    for (const std::string verb : {"render", "movie"})
+        expect_refused({verb, "o/run.h5", "--set", "contact.adhesion.omega=0.1"},
+                       "--set contact.adhesion.omega means nothing to a run that is there",
+                       Program::whole);
+    expect_refused({"movie", "o/run.h5", "--seed", "5"}, "--seed means nothing", Program::whole);
+    expect_refused({"render", "o/run.h5", "--frame", "3", "--frames", "1,2"}, "exclude each other",
+                   Program::whole);
+    expect_refused({"movie", "o/run.h5", "-o", "x.mp4"}, "a folder to write into, got 'x.mp4'",
+                   Program::whole);
+}
+
 TEST_F(BadInput, OfAFileThatIsNoRunIsRefusedByEveryReader) {
-    const bool has_pictures = call({"--help"}).out.find("\n  movie ") != std::string::npos;
+    const bool is_drawn = has_pictures();
     write_file("scene.toml", all_stages_scene());
     ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
     fs::copy_file(path("o/run.h5"), path("cut.h5"));
@@ -114,9 +150,9 @@ TEST_F(BadInput, OfAFileThatIsNoRunIsRefusedByEveryReader) {
     fs::create_directory(path("folder.h5"));
     for (const std::string name : {"cut.h5", "foreign.h5", "text.h5", "folder.h5", "missing.h5"}) {
         expect_refused({"info", name}, name);
-        if (has_pictures) {
-            expect_refused({"render", name}, name);
-            expect_refused({"movie", name}, name);
+        if (is_drawn) {
+            expect_refused({"render", name}, name, Program::whole);
+            expect_refused({"movie", name}, name, Program::whole);
         }
         const std::string cells = "arrangement = \"file\"\nfile = \"" + name + "\"";
         std::string text = changed("arrangement = \"packing\"\ncount = 4", cells);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 using Words = std::vector<std::string>;
 
-class InterruptedRun : public ProgramRunner {
+class InterruptedRun : public EngineRunner {
   protected:
     InterruptedRun() {
         write_file("scene.toml", all_stages_scene());
@@ -113,6 +113,24 @@ TEST_F(InterruptedRun, IsNotOverwrittenUnlessOneSaysSo) {
     const Outcome anew = call({"run", "scene.toml", "-o", "o", "--quiet", "--overwrite"});
     EXPECT_EQ(anew.code, 0) << anew.err;
     EXPECT_TRUE(RunFileReader(path("o/run.h5").string()).is_complete());
+}
+
+TEST_F(InterruptedRun, ThatIsFinishedIsNotOverwrittenByAnotherScene) {
+    const auto run = [this](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"run", "scene.toml", "-o", "o", "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        return call(words);
+    };
+    ASSERT_EQ(run({}).code, 0);
+    const Outcome refused = run({"--set", "cortex.elastic.E=10 kPa"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("o/run.h5: the finished run of another scene or seed is there"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_EQ(run({"--seed", "77"}).code, 2);
+    EXPECT_EQ(run({"--set", "picture[0].size=[640,360]"}).code, 0) << "the same run";
+    EXPECT_EQ(run({"--seed", "77", "--overwrite"}).code, 0);
+    EXPECT_EQ(RunFileReader(path("o/run.h5").string()).header()->seed, 77U);
 }
 
 TEST_F(InterruptedRun, ThatIsFinishedSaysSoWhenItIsResumed) {

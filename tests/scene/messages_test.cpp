@@ -55,7 +55,7 @@ TEST(SceneMessages, AnUnknownTableIsMetWithTheNearestOne) {
               "a.toml:8:1: error: unknown table [meduim]; did you mean [medium]?");
     EXPECT_EQ(refusal(k_drop + "[zzzzzzzz]\n"), "a.toml:13:1: error: unknown table [zzzzzzzz]");
     EXPECT_EQ(refusal(k_drop + "[[pictrue]]\n"),
-              "a.toml:13:3: error: unknown table [pictrue]; did you mean [picture]?");
+              "a.toml:13:3: error: unknown table [[pictrue]]; did you mean [[picture]]?");
 }
 
 TEST(SceneMessages, AKeyOrTableGivenTwiceIsRefusedAtTheSecond) {
@@ -81,7 +81,7 @@ TEST(SceneMessages, ValuesOutOfRangeAreRefusedWithTheRange) {
               "    5 | nodes = 163\n"
               "      |         ^~~   typical: 162 (quick), 642 (chosen here)");
     EXPECT_EQ(refusal(k_drop + "[[picture]]\nsize = [1280, 721]\n"),
-              "a.toml:14:15: error: picture[0].size must be even numbers in 16 ... 8192, as movies "
+              "a.toml:14:15: error: picture[0].size must be even numbers in 64 ... 4096, as movies "
               "need them, got 721\n"
               "   14 | size = [1280, 721]\n"
               "      |               ^~~   typical: [1280, 720]");
