@@ -63,33 +63,33 @@ int points_on(const Grid& grid, Setups setups) {
     return n;
 }
 
-/// Whether it shows something that the others do not.
-bool adds_points(const Grid& grid, const std::vector<Grid>& others, Setups setups) {
-    return std::any_of(setups.begin(), setups.end(), [&](const SetupStatistics& setup) {
-        return is_on(grid, setup.setup()) &&
-               std::none_of(others.begin(), others.end(),
-                            [&](const Grid& other) { return is_on(other, setup.setup()); });
+/// Whether every point of `grid` that the setups have is on `other`, which shows more of them, or
+/// as many and comes first.
+bool is_covered(const Grid& grid, const Grid& other, Setups setups) {
+    const int n = points_on(grid, setups), n_other = points_on(other, setups);
+    if (n > n_other || (n == n_other && &grid <= &other)) return false;
+    return std::none_of(setups.begin(), setups.end(), [&](const SetupStatistics& setup) {
+        return is_on(grid, setup.setup()) && !is_on(other, setup.setup());
     });
 }
 
 /// Those of the paper's grids that show the setups, in the paper's order. The grids share points:
-/// one whose points are all on a grid with more of them is left out.
+/// one whose points are all on another one is left out.
 std::vector<Grid> grids_of(Setups setups) {
-    std::vector<Grid> fullest(k_grids.begin(), k_grids.end());
-    std::stable_sort(fullest.begin(), fullest.end(), [&](const Grid& a, const Grid& b) {
-        return points_on(a, setups) > points_on(b, setups);
-    });
     std::vector<Grid> drawn;
-    for (const Grid& grid : fullest)
-        if (points_on(grid, setups) > 1 && adds_points(grid, drawn, setups)) drawn.push_back(grid);
-    std::sort(drawn.begin(), drawn.end(), [](const Grid& a, const Grid& b) {
-        const auto place = [](const Grid& grid) {
-            return std::find_if(k_grids.begin(), k_grids.end(),
-                                [&](const Grid& g) { return g.name == grid.name; });
-        };
-        return place(a) < place(b);
-    });
+    for (const Grid& grid : k_grids)
+        if (points_on(grid, setups) > 1 &&
+            std::none_of(k_grids.begin(), k_grids.end(),
+                         [&](const Grid& other) { return is_covered(grid, other, setups); }))
+            drawn.push_back(grid);
     return drawn;
+}
+
+/// The mean, down to the first digit of its error; three digits without one.
+std::string text_of(const statistics::Estimate& e) {
+    if (!(e.standard_error > 0.0)) return fmt::format("{:.3g}", e.mean);
+    const int decimals = static_cast<int>(-std::floor(std::log10(e.standard_error)));
+    return fmt::format("{:.{}f}", e.mean, std::clamp(decimals, 0, 4));
 }
 
 reports::Plot::Map map_of(Figure& figure, Setups setups, const Grid& grid, const Quantity& quantity,
@@ -105,7 +105,7 @@ reports::Plot::Map map_of(Figure& figure, Setups setups, const Grid& grid, const
             if (const SetupStatistics* setup = find(setups, gamma, Et)) {
                 const statistics::Estimate e = estimate_of(*setup, quantity);
                 value.value = e.mean;
-                value.text = fmt::format("{:.3g}", e.mean);
+                value.text = text_of(e);
                 if (std::isfinite(e.standard_error))
                     value.mark = fmt::format("±{:.1g}", e.standard_error);
                 add_row(figure.table, *setup,
