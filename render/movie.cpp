@@ -91,9 +91,19 @@ struct MovieOrReason {
 
 }  // namespace
 
-int time_decimals(double smallest_interval_s) {
-    if (!std::isfinite(smallest_interval_s)) return 1;
-    return std::clamp(static_cast<int>(std::ceil(-std::log10(smallest_interval_s) - 1e-9)), 1, 4);
+int time_decimals(std::span<const double> time_s) {
+    constexpr double k_same_time_s = 1e-9;  // rounding of sums of steps stays below it for hours
+    double interval_s = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < time_s.size(); ++i)
+        if (time_s[i] - time_s[i - 1] > k_same_time_s)
+            interval_s = std::min(interval_s, time_s[i] - time_s[i - 1]);
+    if (!std::isfinite(interval_s)) return 1;  // nothing to be told apart from
+    const auto are_as_written = [&](double unit_s) {
+        return std::all_of(time_s.begin(), time_s.end(), [&](double t) {
+            return std::abs(t - unit_s * std::round(t / unit_s)) <= 0.02 * interval_s;
+        });
+    };
+    return are_as_written(0.1) ? 1 : are_as_written(0.01) ? 2 : 3;
 }
 
 std::vector<double> fit_radii(std::span<const double> extent_um, double fps) {
@@ -121,8 +131,6 @@ Survey survey_frames(FrameSource& frames, const scene::Picture& picture) {
     const TotalsRow* const plotted = find_total(picture.plot);
     std::vector<double> extent_um;
     std::optional<RangeFinder> finder;
-    double last_time_s = -std::numeric_limits<double>::infinity();
-    double smallest_interval_s = std::numeric_limits<double>::infinity();
     for (int i = 0; i < n_frames; ++i) {
         const SnapshotPtr snapshot = frames.frame(i);
         survey.time_s.push_back(snapshot->time_s);
@@ -135,12 +143,9 @@ Survey survey_frames(FrameSource& frames, const scene::Picture& picture) {
             if (!finder) finder.emplace(*snapshot->header->fields[index]);
             if (shows_field(*snapshot)) finder->add(snapshot->fields[index]);
         }
-        if (snapshot->time_s > last_time_s && std::isfinite(last_time_s))
-            smallest_interval_s = std::min(smallest_interval_s, snapshot->time_s - last_time_s);
-        last_time_s = snapshot->time_s;
     }
     survey.fit_radius_um = fit_radii(extent_um, picture.fps);
-    survey.time_decimals = time_decimals(smallest_interval_s);
+    survey.time_decimals = time_decimals(survey.time_s);
     if (finder) {
         survey.range = picture.range == "given"
                            ? Range{picture.given_range[0], picture.given_range[1]}

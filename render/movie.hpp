@@ -44,9 +44,9 @@ MovieResult make_movie(FrameSource& frames, const MovieSettings& settings);
 /// first that of the other which is not later. The picture's field must be in both.
 MovieResult make_comparison(FrameSource& frames, FrameSource& other, const MovieSettings& settings);
 
-/// Decimals of a time that tell neighbouring frames apart: 1 down to a tenth of a second between
-/// them, 2 to a hundredth. Infinite: there are no neighbours.
-[[nodiscard]] int time_decimals(double smallest_interval_s);
+/// Decimals, 1 to 3, with which the times of a run's frames can be written as they are: to a
+/// fiftieth of the smallest interval between two of them. Times in ascending order.
+[[nodiscard]] int time_decimals(std::span<const double> time_s);
 
 /// The radius that each frame is scaled to, from the extents of all frames. Constant (the largest)
 /// while the extents differ by less than a fifth; else it follows them smoothly over about two

@@ -63,12 +63,14 @@ MoviePainter::MoviePainter(std::span<FrameSource* const> runs, std::span<const S
     const TotalsRow& row = plotted_row(picture);
     PlotStrip strip;
     strip.heading = std::string(row.name);
-    if (row.unit != "1") strip.heading += fmt::format(" ({})", row.unit);
+    const ShownUnit unit = shown_unit(row.unit);
+    if (!unit.text.empty()) strip.heading += fmt::format(" ({})", unit.text);
     for (std::size_t k = 0; k < runs.size(); ++k) {
         const Survey& survey = surveys[k];
         const RunHeader& header = *h.snapshot(k, 0).header;
         strip.curves.push_back({header.title.empty() ? header.scene_name : header.title,
                                 survey.time_s, survey.plotted});
+        for (double& value : strip.curves.back().value) value *= unit.per_stored;
         for (std::size_t i = 0; i < survey.time_s.size(); ++i)
             h.strip_text += fmt::format("{:.17g} {:.17g} ", survey.time_s[i], survey.plotted[i]);
         h.strip_text += '\n';

@@ -46,12 +46,16 @@ void check_picture(const scene::Picture& picture) {
                                 picture.name, picture.given_range[0], picture.given_range[1]));
 }
 
-std::string status_text(const Snapshot& snapshot, int time_decimals) {
-    if (shows_field(snapshot))
-        return snapshot.stage_name + "   " + time_text(snapshot.time_s, time_decimals);
+void set_status(Furniture& furniture, const Snapshot& snapshot, int time_decimals) {
+    if (shows_field(snapshot)) {
+        furniture.short_status = time_text(snapshot.time_s, time_decimals);
+        furniture.status = snapshot.stage_name + "   " + furniture.short_status;
+        return;
+    }
     // Seeding has no model time; how far it has got is what there is to say.
-    if (std::isnan(snapshot.stage_progress)) return "seeding";
-    return fmt::format("seeding   {:.0f} %", 100.0 * snapshot.stage_progress);
+    furniture.status = furniture.short_status = "seeding";
+    if (!std::isnan(snapshot.stage_progress))
+        furniture.status += fmt::format("   {:.0f} %", 100.0 * snapshot.stage_progress);
 }
 
 std::vector<std::string> notes(const Snapshot& snapshot) {
@@ -105,8 +109,8 @@ int find_picture_field(const RunHeader& header, const scene::Picture& picture) {
         held += (held.empty() ? "" : ", ") + std::string(header.fields[i]->name);
     }
     throw Error(picture.loc,
-                fmt::format("picture '{}' wants the field '{}', which the run does not hold",
-                            picture.name, picture.field),
+                fmt::format("picture '{}' wants the field '{}', which the run of {} does not hold",
+                            picture.name, picture.field, header.scene_name),
                 "fields of this run: " + (held.empty() ? "none" : held));
 }
 
@@ -166,6 +170,11 @@ struct Renderer::Hidden {
             stress_axes = std::make_unique<StressAxes>(mean_radius_um(*header));
             stress_components = find_stress_components(*header);
         }
+    }
+
+    [[nodiscard]] FurnitureLayout layout() const {
+        return lay_out_furniture(picture.size_px[0], picture.size_px[1],
+                                 {field, picture.network, picture.stress_axes});
     }
 
     /// Cells that are drawn: all, or with the cutaway those whose centre is not on the near side of
@@ -292,7 +301,8 @@ Image Renderer::draw(const Snapshot& snapshot, const View& view) {
 
     Furniture furniture;
     furniture.title = h.header->title.empty() ? h.header->scene_name : h.header->title;
-    furniture.status = status_text(snapshot, view.time_decimals);
+    furniture.layout = h.layout();
+    set_status(furniture, snapshot, view.time_decimals);
     furniture.footer = h.header->scene_name;
     furniture.px_per_um = final_camera.px_per_um;
     // A bar or a network beside cells that show neither would be read into them.
@@ -331,15 +341,15 @@ Camera Renderer::camera(const Snapshot& snapshot, const View& view) const {
         make_camera(aggregate_centre_um(snapshot),
                     h.picture.azimuth_deg + view.turned_deg + view.progress * h.picture.orbit_deg,
                     h.picture.elevation_deg);
-    const double free_width = width - key_column_px(height, h.field != nullptr,
-                                                    h.picture.network || h.picture.stress_axes);
+    const FurnitureLayout layout = h.layout();
+    const double free_width = width - layout.column_px;
     // No node of the aggregate pulled apart is farther out than this; extents are those of frames
     // as they are.
     const double radius_um = (1.0 + h.picture.exploded) *
                              (view.fit_radius_um ? *view.fit_radius_um : shown_extent_um(snapshot));
     camera.px_per_um = k_filled_share * 0.5 * std::min<double>(height, free_width) / radius_um;
     camera.centre_x_px = 0.5 * free_width;
-    camera.centre_y_px = 0.5 * height + 8.0 * writing_scale(height);  // room for the title
+    camera.centre_y_px = 0.5 * height + 8.0 * layout.scale;  // room for the title
     if (h.picture.exploded == 0.0) {
         const Camera::Pixel middle = camera.project(camera.focal_um + bead_aside_um(snapshot));
         camera.centre_x_px += camera.centre_x_px - middle.x;

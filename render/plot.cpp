@@ -8,6 +8,7 @@
 #include "render/osmesa_context.hpp"
 #include "render/plot_axes.hpp"
 #include "render/png.hpp"
+#include "render/text.hpp"
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>
@@ -33,6 +34,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <system_error>
 
@@ -42,7 +44,10 @@ namespace {
 constexpr int k_panel_width_px = 520, k_panel_height_px = 400;
 constexpr int k_title_px = 50;
 constexpr int k_legend_row_px = 24, k_caption_row_px = 18;
-constexpr int k_colour_bar_px = 110;  // beside a map
+constexpr int k_title_size = 20, k_panel_title_size = 18, k_legend_size = 14;
+constexpr double k_side_px = 20.0;                               // free on both sides of a picture
+constexpr double k_swatch_px = 30.0, k_between_names_px = 26.0;  // in the legend above the panels
+constexpr int k_colour_bar_px = 110;                             // beside a map
 
 constexpr std::array<int, 5> k_markers{vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE,
                                        vtkPlotPoints::DIAMOND, vtkPlotPoints::CROSS,
@@ -285,6 +290,10 @@ void add_lines(const reports::Plot::Panel& panel, const Styles& styles, const Pl
             x->InsertNextValue(area.x_range.place(series.x[i]));
             y->InsertNextValue(area.y_range.place(series.y[i]));
         }
+        if (series.x.size() == 1) {  // a line wants two
+            x->InsertNextValue(x->GetValue(0));
+            y->InsertNextValue(y->GetValue(0));
+        }
         table->AddColumn(x);
         table->AddColumn(y);
         auto* const line = vtkPlotLine::SafeDownCast(area.chart->AddPlot(vtkChart::LINE));
@@ -293,17 +302,27 @@ void add_lines(const reports::Plot::Panel& panel, const Styles& styles, const Pl
     }
 }
 
-/// Adds one panel in its rectangle of the scene (origin at the bottom left, px) and returns its
-/// chart.
-vtkChartXY* add_panel(vtkContextScene* scene, const reports::Plot::Panel& panel,
-                      const Styles& styles, vtkRectf place) {
+/// As VTK draws it, but before there is a window. VTK hints letters to whole pixels, which is
+/// seldom wider than this.
+std::string fitting(TextPainter& text, const std::string& words, int size, double width_px,
+                    Cut cut = Cut::end, FontStyle font = FontStyle::normal) {
+    constexpr double hinting = 0.98;
+    return shortened(text, words, {static_cast<double>(size), k_dark, font}, hinting * width_px,
+                     cut);
+}
+
+/// Adds one panel in its rectangle of the scene (origin at the bottom left, px).
+PlotArea add_panel(vtkContextScene* scene, const reports::Plot::Panel& panel, const Styles& styles,
+                   vtkRectf place, TextPainter& text) {
     if (panel.map) place.SetWidth(place.GetWidth() - k_colour_bar_px);
     vtkNew<Overlay> below, above;
     vtkNew<vtkChartXY> chart;
     chart->SetAutoSize(false);
     chart->SetSize(place);
-    chart->SetTitle(panel.title);
-    set_font(chart->GetTitleProperties(), 18, SPHEROSCOPE_FONT_BOLD);
+    chart->SetTitle(fitting(text, panel.title, k_panel_title_size,
+                            static_cast<double>(place.GetWidth()) - k_side_px, Cut::end,
+                            FontStyle::bold));
+    set_font(chart->GetTitleProperties(), k_panel_title_size, SPHEROSCOPE_FONT_BOLD);
     const PlotArea area = area_of(panel, chart);
     add_lines(panel, styles, area);
     below->paint = [area, &panel](vtkContext2D& painter) {
@@ -321,21 +340,120 @@ vtkChartXY* add_panel(vtkContextScene* scene, const reports::Plot::Panel& panel,
     scene->AddItem(below);
     scene->AddItem(chart);
     scene->AddItem(above);
-    return chart;
+    return area;
 }
 
-/// The names of all series in rows of `n_columns` from y downward.
-void paint_legend(vtkContext2D& painter, const Styles& styles, int width, double y, int n_columns) {
-    const double column_px = static_cast<double>(width - 40) / n_columns;
-    for (std::size_t i = 0; i < styles.names().size(); ++i) {
-        const std::string& name = styles.names()[i];
-        const auto column = static_cast<int>(i) % n_columns, row = static_cast<int>(i) / n_columns;
-        const double x = 20.0 + column * column_px;
-        const double middle = y - (row + 0.5) * k_legend_row_px;
-        use_brush(painter, styles.colour(name));
-        fill(painter, x, middle - 5.0, x + 22.0, middle + 5.0);
-        write(painter, x + 30.0, middle, name, 14, k_dark, false);
+/// The legend above the panels: the names of all series in as many columns as have room.
+struct LegendRows {
+    std::vector<std::string> texts;  // as in Styles::names(), none longer than a row
+    int n_columns = 1, n_rows = 0;
+
+    LegendRows(const Styles& styles, int width, TextPainter& text) {
+        const double row_px = width - 2.0 * k_side_px;
+        double widest_px = 0.0;
+        for (const std::string& name : styles.names()) {
+            texts.push_back(fitting(text, name, k_legend_size, row_px - k_swatch_px, Cut::middle));
+            widest_px =
+                std::max(widest_px, k_swatch_px + text.width(texts.back(), {k_legend_size}));
+        }
+        n_columns = std::max(
+            1, static_cast<int>((row_px + k_between_names_px) / (widest_px + k_between_names_px)));
+        n_rows = (static_cast<int>(texts.size()) + n_columns - 1) / n_columns;
     }
+
+    /// From y downward.
+    void paint(vtkContext2D& painter, const Styles& styles, int width, double y) const {
+        const double column_px = (width - 2.0 * k_side_px) / n_columns;
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            const auto column = static_cast<int>(i) % n_columns,
+                       row = static_cast<int>(i) / n_columns;
+            const double x = k_side_px + column * column_px;
+            const double middle = y - (row + 0.5) * k_legend_row_px;
+            use_brush(painter, styles.colour(styles.names()[i]));
+            fill(painter, x, middle - 5.0, x + 22.0, middle + 5.0);
+            write(painter, x + k_swatch_px, middle, texts[i], k_legend_size, k_dark, false);
+        }
+    }
+};
+
+/// Where the legend stands inside a panel.
+struct LegendPlace {
+    vtkChartXY* chart = nullptr;
+    int horizontal = vtkChartLegend::RIGHT, vertical = vtkChartLegend::TOP;
+};
+
+/// How much a legend of that size hides in a panel: points count, and lines between them a little.
+double hidden_by(const LegendPlace& place, const reports::Plot::Panel& panel, const PlotArea& area,
+                 double width, double height) {
+    constexpr double marker_px = 6.0;
+    constexpr int n_samples = 16;  // of a line between two points
+    const auto begin = [](int alignment, double low, double high, double size) {
+        if (alignment == vtkChartLegend::CENTER) return 0.5 * (low + high - size);
+        const bool is_high = alignment == vtkChartLegend::RIGHT || alignment == vtkChartLegend::TOP;
+        return is_high ? high - size : low;
+    };
+    const double x0 = begin(place.horizontal, area.left(), area.right(), width);
+    const double y0 = begin(place.vertical, area.bottom(), area.top(), height);
+    const auto hides = [&](double x, double y) {
+        return x > x0 - marker_px && x < x0 + width + marker_px && y > y0 - marker_px &&
+               y < y0 + height + marker_px;
+    };
+    double hidden = 0.0;
+    for (const reports::Plot::Series& series : panel.series)
+        for (std::size_t i = 0; i < series.x.size(); ++i) {
+            const double x = area.x(series.x[i]), y = area.y(series.y[i]);
+            if (hides(x, y)) hidden += 1.0;
+            if (i == 0 || series.line == reports::Plot::Line::none) continue;
+            const double last_x = area.x(series.x[i - 1]), last_y = area.y(series.y[i - 1]);
+            for (int k = 1; k < n_samples; ++k)
+                if (hides(std::lerp(last_x, x, k / static_cast<double>(n_samples)),
+                          std::lerp(last_y, y, k / static_cast<double>(n_samples))))
+                    hidden += 0.25 / n_samples;
+        }
+    return hidden;
+}
+
+/// The place that hides least, preferably in the upper right corner of the first panel. A panel
+/// shows the names of its own series only, so that one that lacks some comes last.
+LegendPlace free_place(const reports::Plot& plot, const std::vector<PlotArea>& areas,
+                       const Styles& styles, TextPainter& text) {
+    double width = 0.0;  // of VTK's legend: a symbol, and 5 px around everything
+    for (const std::string& name : styles.names())
+        width = std::max(width, text.width(name, {k_legend_size}) + 44.0);
+    const double height = 21.0 * static_cast<double>(styles.names().size()) + 6.0;
+    LegendPlace best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < areas.size(); ++p) {
+        const auto is_missing = [&](const std::string& name) {
+            return std::none_of(plot.panels[p].series.begin(), plot.panels[p].series.end(),
+                                [&](const reports::Plot::Series& series) {
+                                    return series.name == name && !series.x.empty();
+                                });
+        };
+        const double missing =
+            1000.0 * static_cast<double>(
+                         std::count_if(styles.names().begin(), styles.names().end(), is_missing));
+        for (const int vertical :
+             {vtkChartLegend::TOP, vtkChartLegend::BOTTOM, vtkChartLegend::CENTER})
+            for (const int horizontal :
+                 {vtkChartLegend::RIGHT, vtkChartLegend::LEFT, vtkChartLegend::CENTER}) {
+                const LegendPlace place{areas[p].chart, horizontal, vertical};
+                const double hidden =
+                    missing + hidden_by(place, plot.panels[p], areas[p], width, height);
+                if (hidden >= least) continue;
+                least = hidden;
+                best = place;
+            }
+    }
+    return best;
+}
+
+void show_legend(const LegendPlace& place) {
+    place.chart->SetShowLegend(true);
+    vtkChartLegend* const legend = place.chart->GetLegend();
+    set_font(legend->GetLabelProperties(), k_legend_size);
+    legend->SetHorizontalAlignment(place.horizontal);
+    legend->SetVerticalAlignment(place.vertical);
 }
 
 void write_svg(vtkRenderWindow* window, vtkRenderer* renderer, const std::filesystem::path& path) {
@@ -379,11 +497,9 @@ void draw_plot(const reports::Plot& plot, const std::filesystem::path& png,
     const int n_rows = (n_panels + n_columns - 1) / n_columns;
     const Styles styles(plot);
     const int width = n_columns * k_panel_width_px;
-    const int n_names = static_cast<int>(styles.names().size());
-    const int n_legend_columns = std::max(1, width / 300);
-    const int legend_px =
-        plot.legend_above ? (n_names + n_legend_columns - 1) / n_legend_columns * k_legend_row_px
-                          : 0;
+    TextPainter text;
+    const LegendRows legend(styles, width, text);
+    const int legend_px = plot.legend_above ? legend.n_rows * k_legend_row_px : 0;
     const int caption_px =
         plot.caption.empty() ? 0 : static_cast<int>(plot.caption.size()) * k_caption_row_px + 14;
     const int height = n_rows * k_panel_height_px + k_title_px + legend_px + caption_px;
@@ -393,43 +509,39 @@ void draw_plot(const reports::Plot& plot, const std::filesystem::path& png,
     context.lend([&](vtkRenderWindow* window, vtkRenderer* renderer) {
         vtkNew<vtkContextActor> actor;
         actor->GetScene()->SetRenderer(renderer);
-        vtkChartXY* first = nullptr;
+        std::vector<PlotArea> areas;
         for (int p = 0; p < n_panels; ++p) {
             const vtkRectf place(
                 static_cast<float>((p % n_columns) * k_panel_width_px),
                 static_cast<float>(caption_px + (n_rows - 1 - p / n_columns) * k_panel_height_px),
                 static_cast<float>(k_panel_width_px - 12),
                 static_cast<float>(k_panel_height_px - 14));
-            vtkChartXY* const chart = add_panel(
-                actor->GetScene(), plot.panels[static_cast<std::size_t>(p)], styles, place);
-            if (first == nullptr) first = chart;
-        }
-        // Colours mean the same in all panels: one legend, in the panel where there is room.
-        if (!plot.legend_above) {
-            first->SetShowLegend(true);
-            set_font(first->GetLegend()->GetLabelProperties(), 14);
-            first->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
-            first->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+            areas.push_back(add_panel(actor->GetScene(), plot.panels[static_cast<std::size_t>(p)],
+                                      styles, place, text));
         }
         vtkNew<Overlay> around;
         around->paint = [&](vtkContext2D& painter) {
-            if (plot.legend_above)
-                paint_legend(painter, styles, width, height - k_title_px, n_legend_columns);
+            if (plot.legend_above) legend.paint(painter, styles, width, height - k_title_px);
             for (std::size_t i = 0; i < plot.caption.size(); ++i)
-                write(painter, 20.0, caption_px - (static_cast<double>(i) + 0.5) * k_caption_row_px,
+                write(painter, k_side_px,
+                      caption_px - (static_cast<double>(i) + 0.5) * k_caption_row_px,
                       plot.caption[i], 12, {90, 94, 102}, false);
         };
         actor->GetScene()->AddItem(around);
         vtkNew<vtkTextActor> title;
-        title->SetInput(plot.title.c_str());
+        title->SetInput(fitting(text, plot.title, k_title_size, width - 2.0 * k_side_px, Cut::end,
+                                FontStyle::bold)
+                            .c_str());
         title->SetPosition(0.5 * width, height - 0.5 * k_title_px);
-        set_font(title->GetTextProperty(), 20, SPHEROSCOPE_FONT_BOLD);
+        set_font(title->GetTextProperty(), k_title_size, SPHEROSCOPE_FONT_BOLD);
         title->GetTextProperty()->SetJustificationToCentered();
         title->GetTextProperty()->SetVerticalJustificationToCentered();
         renderer->AddActor(actor);
         renderer->AddActor2D(title);
-        window->Render();
         window->Render();  // charts lay out their axes while they are drawn
+        // Colours mean the same in all panels: one legend, where there is room.
+        if (!plot.legend_above) show_legend(free_place(plot, areas, styles, text));
+        window->Render();
         context.read_colours(buffers);
         write_svg(window, renderer, svg);
         renderer->RemoveActor(actor);

@@ -20,23 +20,27 @@
 namespace spheroscope::render {
 namespace {
 
-/// "10⁻³"; between decades "2", "5".
-std::string power_of_ten(int exponent) {
+/// "10⁻³", "2·10⁻³", "2".
+std::string power_of_ten(int exponent, int times) {
     static const std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴",
                                                     "⁵", "⁶", "⁷", "⁸", "⁹"};
-    if (exponent == 0) return "1";
-    std::string text = "10";
+    if (exponent == 0) return std::to_string(times);
+    std::string text = times == 1 ? "10" : std::to_string(times) + "·10";
     if (exponent < 0) text += "⁻";
     for (const char c : std::to_string(std::abs(exponent)))
         text += digits[static_cast<std::size_t>(c - '0')];
     return text;
 }
 
+/// Of a logarithmic axis: between 1 and 5 are two intervals of the labels 1, 2, 5; any range of
+/// that width holds two of these.
+const double k_smallest_decades = std::log10(5.0);
+
 }  // namespace
 
 void set_font(vtkTextProperty* text, int size, const char* file) {
     text->SetFontFamily(VTK_FONT_FILE);
-    text->SetFontFile(file);
+    text->SetFontFile(file == nullptr ? SPHEROSCOPE_FONT : file);
     text->SetFontSize(size);
     text->SetColor(0.15, 0.16, 0.17);
     text->SetBold(0);
@@ -67,16 +71,35 @@ void AxisRange::widen() {
     if (is_logarithmic) {
         low -= 0.15;
         high += 0.15;
-        if (std::floor(high) < std::ceil(low) + 1.0) {
-            const double middle = std::round(0.5 * (low + high));
-            low = std::min(low, middle - 0.55);
-            high = std::max(high, middle + 0.55);
+        const double lacking = k_smallest_decades - (high - low);
+        if (lacking > 0.0) {
+            low -= 0.5 * lacking;
+            high += 0.5 * lacking;
         }
         return;
     }
     const double width = high > low ? high - low : std::max(1e-3, 0.2 * std::abs(high));
     low = low >= 0.0 && low < 0.5 * high ? 0.0 : low - 0.06 * width;
     high += 0.06 * width;
+}
+
+std::vector<AxisTick> logarithmic_ticks(const AxisRange& range) {
+    std::vector<AxisTick> ticks;
+    const int first = static_cast<int>(std::ceil(range.low));
+    const int last = static_cast<int>(std::floor(range.high));
+    if (last > first) {
+        const int step = std::max(1, (last - first) / 5);
+        for (int exponent = first; exponent <= last; exponent += step)
+            ticks.push_back({static_cast<double>(exponent), power_of_ten(exponent, 1)});
+        return ticks;
+    }
+    for (int exponent = first - 1; exponent <= last + 1; ++exponent)
+        for (const int times : {1, 2, 5}) {
+            const double place = exponent + std::log10(times);
+            if (place >= range.low && place <= range.high)
+                ticks.push_back({place, power_of_ten(exponent, times)});
+        }
+    return ticks;
 }
 
 void set_axis(vtkAxis* axis, const std::string& title, const AxisRange& range,
@@ -98,11 +121,7 @@ void set_axis(vtkAxis* axis, const std::string& title, const AxisRange& range,
         for (std::size_t i = 0; i < categories.size(); ++i)
             add(static_cast<double>(i), categories[i]);
     } else if (range.is_logarithmic) {
-        const int first = static_cast<int>(std::ceil(range.low));
-        const int last = static_cast<int>(std::floor(range.high));
-        const int step = std::max(1, (last - first) / 5);
-        for (int exponent = first; exponent <= last; exponent += step)
-            add(exponent, power_of_ten(exponent));
+        for (const AxisTick& tick : logarithmic_ticks(range)) add(tick.place, tick.label);
     } else {
         const double step = tick_step(range.high - range.low, 5);
         for (double i = std::ceil(range.low / step); i * step <= range.high; ++i)

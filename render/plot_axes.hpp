@@ -10,8 +10,9 @@ class vtkTextProperty;
 
 namespace spheroscope::render {
 
-/// The project's font file: VTK's built-in font has neither Greek nor superscripts.
-void set_font(vtkTextProperty* text, int size, const char* file = SPHEROSCOPE_FONT);
+/// The project's font files: VTK's built-in font has neither Greek nor superscripts. nullptr: the
+/// normal one.
+void set_font(vtkTextProperty* text, int size, const char* file = nullptr);
 
 /// What one axis shows; in powers of ten where it is logarithmic.
 struct AxisRange {
@@ -23,9 +24,18 @@ struct AxisRange {
     [[nodiscard]] double place(double value) const;
     void include(double value);
     /// Some space around the points, but none below zero where all are above it; of a logarithmic
-    /// axis at least one whole decade.
+    /// axis as much as two labels need.
     void widen();
 };
+
+/// A label of an axis and its place on it.
+struct AxisTick {
+    double place;
+    std::string label;
+};
+/// Powers of ten within a logarithmic range, and twice and five times them where there are fewer
+/// than two. Never fewer than two labels for a range that was widened.
+[[nodiscard]] std::vector<AxisTick> logarithmic_ticks(const AxisRange& range);
 
 /// Range, title, grid and labels of one axis. Logarithms have been taken: the axis is linear with
 /// labels of its own.

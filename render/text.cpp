@@ -179,4 +179,21 @@ void TextPainter::draw(Image& image, double x, double y_baseline, std::string_vi
     lay_out(&image, start, y_baseline, text, style);
 }
 
+std::string shortened(TextPainter& text, std::string_view words, const TextPainter::Style& style,
+                      double width_px, Cut cut) {
+    if (text.width(words, style) <= width_px) return std::string(words);
+    std::vector<std::size_t> letters;  // where each begins, and the end
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if ((static_cast<unsigned char>(words[i]) & 0xC0U) != 0x80U) letters.push_back(i);
+    letters.push_back(words.size());
+    for (std::size_t n = letters.size() - 2; n >= 2 && n < letters.size(); --n) {
+        const std::size_t n_back = cut == Cut::middle ? n / 3 : 0;
+        std::string kept(words.substr(0, letters[n - n_back]));
+        kept += "…";
+        kept += words.substr(letters[letters.size() - 1 - n_back]);
+        if (text.width(kept, style) <= width_px) return kept;
+    }
+    return "";
+}
+
 }  // namespace spheroscope::render

@@ -3,6 +3,7 @@
 #include "render/image.hpp"
 
 #include <memory>
+#include <string>
 #include <string_view>
 
 namespace spheroscope::render {
@@ -45,5 +46,12 @@ class TextPainter {
     void draw_halo(Image& image, double x, double y, std::string_view text, const Style& style);
     std::unique_ptr<Hidden> hidden_;
 };
+
+/// Where a text that is too long loses letters: names of runs often differ in their last word only.
+enum class Cut { end, middle };
+/// The words, or as many letters of them as have room beside a "…"; "" where two have none.
+[[nodiscard]] std::string shortened(TextPainter& text, std::string_view words,
+                                    const TextPainter::Style& style, double width_px,
+                                    Cut cut = Cut::end);
 
 }  // namespace spheroscope::render

@@ -2,8 +2,6 @@
 
 #include "render/movie.hpp"
 
-#include <algorithm>
-
 namespace spheroscope::viewer {
 
 RunSurvey::RunSurvey(const RunHeader& header) {
@@ -15,9 +13,7 @@ void RunSurvey::add(const Snapshot& snapshot) {
         has_mechanics_ = true;
         for (std::size_t f = 0; f < finders_.size(); ++f) finders_[f].add(snapshot.fields[f]);
     }
-    if (!summaries_.empty() && snapshot.time_s > summaries_.back().time_s)
-        smallest_interval_s_ =
-            std::min(smallest_interval_s_, snapshot.time_s - summaries_.back().time_s);
+    time_s_.push_back(snapshot.time_s);
     extent_um_.push_back(render::shown_extent_um(snapshot));
     summaries_.push_back(summary_of(snapshot));
 }
@@ -36,7 +32,7 @@ render::View RunSurvey::view_of(const Snapshot& snapshot, const scene::Picture& 
     view.progress = n_frames > 1 && snapshot.frame >= 0
                         ? static_cast<double>(snapshot.frame) / (n_frames - 1)
                         : 0.0;
-    view.time_decimals = render::time_decimals(smallest_interval_s_);
+    view.time_decimals = render::time_decimals(time_s_);
     const int field = render::find_picture_field(*snapshot.header, picture);
     if (field >= 0 && picture.range == "given")
         view.range = render::Range{picture.given_range[0], picture.given_range[1]};

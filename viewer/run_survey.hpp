@@ -5,7 +5,6 @@
 #include "render/range.hpp"
 #include "viewer/model/series.hpp"
 
-#include <limits>
 #include <vector>
 
 namespace spheroscope::viewer {
@@ -28,10 +27,9 @@ class RunSurvey {
 
   private:
     std::vector<render::RangeFinder> finders_;  // one for each field
-    std::vector<double> extent_um_;
+    std::vector<double> extent_um_, time_s_;
     std::vector<FrameSummary> summaries_;
     bool has_mechanics_ = false;
-    double smallest_interval_s_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace spheroscope::viewer

@@ -2,8 +2,6 @@
 
 #include "engine/base/error.hpp"
 #include "render/canvas.hpp"
-#include "render/layers/furniture.hpp"
-#include "render/range.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +13,14 @@
 namespace spheroscope::render {
 
 namespace {
+
+// All sizes in px of a strip of 180 rows, which is below a picture of 720.
+constexpr double k_text = 20.0;
+constexpr double k_left = 112.0, k_right = 40.0, k_top = 40.0, k_bottom = 38.0;  // of the axes
+constexpr double k_between = 24.0;  // words that stand beside each other
+constexpr double k_width = 480.0;   // in a narrower strip they shrink
+/// Rows of the lowest strip: its letters are 12 px high, and a third of it is left for the curve.
+constexpr int k_lowest = 108;
 
 constexpr Rgb k_ink{38, 40, 44}, k_soft_ink{104, 108, 116}, k_line{214, 216, 220};
 /// Okabe and Ito 2008: told apart with all kinds of colour vision.
@@ -78,8 +84,23 @@ Range span_of(const PlotStrip& strip, std::vector<double> PlotStrip::Curve::*val
 
 }  // namespace
 
+ShownUnit shown_unit(std::string_view stored_unit) {
+    if (stored_unit == "1") return {"", 1.0};
+    if (stored_unit == "kPa") return {"Pa", 1000.0};
+    std::string text(stored_unit);
+    const auto write = [&text](std::string_view ascii, std::string_view shown) {
+        for (std::size_t at = text.find(ascii); at != std::string::npos;
+             at = text.find(ascii, at + shown.size()))
+            text.replace(at, ascii.size(), shown);
+    };
+    write("um", "µm");
+    write("^2", "²");
+    write("^3", "³");
+    return {text, 1.0};
+}
+
 int PlotStripPainter::height_px(int picture_height_px) {
-    return 2 * static_cast<int>(std::lround(picture_height_px / 8.0));
+    return std::max(k_lowest, 2 * static_cast<int>(std::lround(picture_height_px / 8.0)));
 }
 
 Rgb PlotStripPainter::colour(int curve) const {
@@ -93,7 +114,7 @@ PlotStripPainter::Point PlotStripPainter::point(double time_s, double value) con
 
 PlotStripPainter::PlotStripPainter(const PlotStrip& strip, int width_px, int picture_height_px)
     : strip_(strip), background_(width_px, height_px(picture_height_px)),
-      scale_(writing_scale(picture_height_px)) {
+      scale_(std::max(k_lowest / 180.0, std::min(background_.height / 180.0, width_px / k_width))) {
     SPHEROSCOPE_ASSERT(strip.curves.size() <= k_colours.size(), "a colour for each curve");
     const Range times = span_of(strip, &PlotStrip::Curve::time_s);
     const Range values = span_of(strip, &PlotStrip::Curve::value);
@@ -102,59 +123,87 @@ PlotStripPainter::PlotStripPainter(const PlotStrip& strip, int width_px, int pic
     const double margin = 0.06 * (values.high - values.low);
     value_low_ = values.low - margin;
     value_high_ = values.high + margin;
-    const auto scaled = [this](double px) { return scale_ * px; };
-    left_ = scaled(112.0);
-    right_ = width_px - scaled(40.0);
-    top_ = scaled(40.0);
-    bottom_ = background_.height - scaled(38.0);
+    left_ = scale_ * k_left;
+    right_ = width_px - scale_ * k_right;
+    top_ = scale_ * k_top;
+    bottom_ = background_.height - scale_ * k_bottom;
 
     TextPainter text;
-    const TextPainter::Style style{scaled(20.0), k_ink, FontStyle::normal, TextMode::plain};
-    const TextPainter::Style soft{scaled(20.0), k_soft_ink, FontStyle::normal, TextMode::plain};
-    const double thin = std::max(1.0, scaled(1.0));
-    for (const double time_s : strip.stage_begin_s) {
-        const double x = std::round(point(time_s, value_low_).x);
-        fill_rectangle(background_, x, top_, x + thin, bottom_, k_line);
-    }
-    // As many labels as have room, 0 wherever it is in between.
-    const std::vector<double> value_ticks = ticks({values.low, values.high});
-    double last_y = std::numeric_limits<double>::infinity();
-    for (const double value : value_ticks) {
-        const double y = std::round(point(time_low_, value).y);
-        fill_rectangle(background_, left_, y, right_, y + thin, value == 0.0 ? k_soft_ink : k_line);
-        if (last_y - y < scaled(24.0)) continue;
-        last_y = y;
-        text.draw(background_, left_ - scaled(10.0), y + scaled(7.0), number_text(value), style,
-                  Anchor::right);
-    }
-    fill_rectangle(background_, left_, bottom_, right_, bottom_ + thin, k_ink);
-    const std::vector<double> time_ticks = ticks({time_low_, time_high_});
-    for (const double time_s : time_ticks) {
-        const double x = std::round(point(time_s, value_low_).x);
-        fill_rectangle(background_, x, bottom_, x + thin, bottom_ + scaled(6.0), k_ink);
-        const bool is_at_edge = right_ - x < scaled(60.0);
-        text.draw(background_, is_at_edge ? width_px - scaled(8.0) : x, bottom_ + scaled(27.0),
-                  number_text(time_s) + (time_s == time_ticks.back() ? " s" : ""), style,
-                  is_at_edge ? Anchor::right : Anchor::middle);
-    }
-    double x = left_;
-    text.draw(background_, x, scaled(26.0), strip.heading, style);
-    x += text.width(strip.heading, style) + scaled(28.0);
-    if (strip.curves.size() > 1)
-        for (std::size_t k = 0; k < strip.curves.size(); ++k) {
-            fill_rectangle(background_, x, scaled(17.0), x + scaled(24.0), scaled(21.0),
-                           k_colours[k]);
-            x += scaled(32.0);
-            text.draw(background_, x, scaled(26.0), strip.curves[k].name, soft);
-            x += text.width(strip.curves[k].name, soft) + scaled(24.0);
-        }
-
+    draw_axes(text, values);
+    draw_heading(text);
     for (std::size_t k = 0; k < strip.curves.size(); ++k) {
         const PlotStrip::Curve& curve = strip.curves[k];
         for (std::size_t i = 1; i < curve.value.size(); ++i)
             if (std::isfinite(curve.value[i - 1]) && std::isfinite(curve.value[i]))
                 draw_line(background_, point(curve.time_s[i - 1], curve.value[i - 1]),
-                          point(curve.time_s[i], curve.value[i]), scaled(2.0), k_colours[k]);
+                          point(curve.time_s[i], curve.value[i]), scale_ * 2.0, k_colours[k]);
+    }
+}
+
+void PlotStripPainter::draw_axes(TextPainter& text, const Range& values) {
+    const auto scaled = [this](double px) { return scale_ * px; };
+    const TextPainter::Style style{scaled(k_text), k_ink, FontStyle::normal, TextMode::plain};
+    const double thin = std::max(1.0, scaled(1.0));
+    const std::vector<double> value_ticks = ticks(values);
+    for (const double value : value_ticks)
+        left_ = std::max(left_, text.width(number_text(value), style) + scaled(18.0));
+    // In a narrow strip the curve needs the room of the numbers.
+    const bool has_labels = right_ - left_ > 0.5 * background_.width;
+    if (!has_labels) left_ = background_.width - (right_ = background_.width - scaled(8.0));
+
+    for (const double time_s : strip_.stage_begin_s) {
+        const double x = std::round(point(time_s, value_low_).x);
+        fill_rectangle(background_, x, top_, x + thin, bottom_, k_line);
+    }
+    // As many labels as have room, 0 wherever it is in between.
+    double last_y = std::numeric_limits<double>::infinity();
+    for (const double value : value_ticks) {
+        const double y = std::round(point(time_low_, value).y);
+        fill_rectangle(background_, left_, y, right_, y + thin, value == 0.0 ? k_soft_ink : k_line);
+        if (!has_labels || last_y - y < scaled(1.2 * k_text)) continue;
+        last_y = y;
+        text.draw(background_, left_ - scaled(10.0), y + scaled(7.0), number_text(value), style,
+                  Anchor::right);
+    }
+    fill_rectangle(background_, left_, bottom_, right_, bottom_ + thin, k_ink);
+    // From the last one, which has the unit; none that would touch its neighbour.
+    const std::vector<double> time_ticks = ticks({time_low_, time_high_});
+    double free_until = background_.width - scaled(8.0);
+    for (std::size_t i = time_ticks.size(); i-- > 0;) {
+        const double x = std::round(point(time_ticks[i], value_low_).x);
+        fill_rectangle(background_, x, bottom_, x + thin, bottom_ + scaled(6.0), k_ink);
+        const std::string label =
+            number_text(time_ticks[i]) + (i + 1 == time_ticks.size() ? " s" : "");
+        const double width = text.width(label, style);
+        const bool is_last = i + 1 == time_ticks.size();
+        const double begin =
+            is_last ? std::min(x - 0.5 * width, free_until - width) : x - 0.5 * width;
+        if (begin < 0.0 || begin + width > free_until) continue;
+        text.draw(background_, begin, bottom_ + scaled(27.0), label, style);
+        free_until = begin - scaled(0.5 * k_between);
+    }
+}
+
+void PlotStripPainter::draw_heading(TextPainter& text) {
+    const auto scaled = [this](double px) { return scale_ * px; };
+    const TextPainter::Style style{scaled(k_text), k_ink, FontStyle::normal, TextMode::plain};
+    const TextPainter::Style soft{scaled(k_text), k_soft_ink, FontStyle::normal, TextMode::plain};
+    const double y = scaled(26.0), end = background_.width - scaled(8.0);
+    double x = left_;
+    const std::string heading = shortened(text, strip_.heading, style, end - x);
+    text.draw(background_, x, y, heading, style);
+    x += text.width(heading, style) + scaled(k_between);
+    if (strip_.curves.size() < 2) return;
+    constexpr double line = 24.0, gap = 8.0;
+    const double each = (end - x) / static_cast<double>(strip_.curves.size());
+    for (std::size_t k = 0; k < strip_.curves.size(); ++k) {
+        const std::string name = shortened(text, strip_.curves[k].name, soft,
+                                           each - scaled(line + gap + k_between), Cut::middle);
+        if (name.empty()) continue;
+        fill_rectangle(background_, x, scaled(17.0), x + scaled(line), scaled(21.0), k_colours[k]);
+        x += scaled(line + gap);
+        text.draw(background_, x, y, name, soft);
+        x += text.width(name, soft) + scaled(k_between);
     }
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "render/image.hpp"
+#include "render/range.hpp"
 #include "render/text.hpp"
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spheroscope::render {
@@ -15,10 +17,18 @@ struct PlotStrip {
         std::string name;                   ///< shown only beside another
         std::vector<double> time_s, value;  ///< one for each frame; NaN: nothing there
     };
-    std::string heading;  ///< "sigma_h_core (kPa)"
+    std::string heading;  ///< "sigma_h_core (Pa)"
     std::vector<Curve> curves;
     std::vector<double> stage_begin_s;  ///< light vertical lines
 };
+
+/// How pictures write the unit of a stored number, and shown value / stored value: all stresses of
+/// pictures are in Pa.
+struct ShownUnit {
+    std::string text;  ///< "µm²"; "" for a plain number
+    double per_stored = 1.0;
+};
+[[nodiscard]] ShownUnit shown_unit(std::string_view stored_unit);
 
 /// Draws the strip below a movie's pictures. Axes and curves are drawn once; a mark then moves.
 class PlotStripPainter {
@@ -33,10 +43,14 @@ class PlotStripPainter {
     };
     [[nodiscard]] Point point(double time_s, double value) const;
     [[nodiscard]] Rgb colour(int curve) const;
-    /// Height that the strip has below a picture of that height: a quarter, and even.
+    /// Height that the strip has below a picture of that height: a quarter, as far as axes and
+    /// writing have room in it, and even.
     [[nodiscard]] static int height_px(int picture_height_px);
 
   private:
+    void draw_axes(TextPainter& text, const Range& values);
+    void draw_heading(TextPainter& text);
+
     PlotStrip strip_;
     Image background_;
     double scale_;

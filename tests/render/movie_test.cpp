@@ -80,7 +80,20 @@ TEST(Movie, HasOneRangeOverTheWholeRun) {
     EXPECT_EQ(survey.range, (Range{-60.0, 60.0}))
         << "the largest stress is 50 Pa, in the last frame";
     EXPECT_EQ(survey.share_outside, 0.0);
-    EXPECT_EQ(survey.time_decimals, 1);
+    EXPECT_EQ(survey.time_decimals, 2) << "a frame each quarter of a second";
+}
+
+TEST(Movie, WritesItsTimesWithAsManyDecimalsAsTheyHave) {
+    const auto decimals = [](const std::vector<double>& time_s) { return time_decimals(time_s); };
+    EXPECT_EQ(decimals({0.0, 0.25, 0.5}), 2);
+    EXPECT_EQ(decimals({0.0, 0.5, 1.0}), 1);
+    EXPECT_EQ(decimals({0.0, 0.0, 1.0, 2.0}), 1) << "beads are seeded at one time";
+    EXPECT_EQ(decimals({0.0, 0.1, 0.35, 0.6}), 2) << "the smallest interval has one decimal only";
+    EXPECT_EQ(decimals({0.0, 0.125}), 3);
+    EXPECT_EQ(decimals({0.0, 1e-5, 2e-5}), 3) << "never more";
+    EXPECT_EQ(decimals({0.0, 0.1 + 1e-12, 0.2 - 1e-12}), 1) << "rounding has no decimals";
+    EXPECT_EQ(decimals({0.0, 5.0, 5.0 + 1e-12, 10.0}), 1) << "a stage ends where one begins";
+    EXPECT_EQ(decimals({12.4371}), 1) << "one frame is told apart from nothing";
 }
 
 TEST(Movie, PicturesCarryWhatTheyShow) {
@@ -285,13 +298,13 @@ TEST(Movie, APlotBelowItMovesItsMarkAlongTheCurve) {
                 painter.point(survey.time_s[std::size_t(k)], survey.plotted[std::size_t(k)]);
             return image.at(static_cast<int>(p.x), 180 + static_cast<int>(p.y));
         };
-        // The disc is wider than the curve: 4 px beside it only the mark has the curve's colour.
+        // The disc is wider than the curve: 2 px beside it only the mark has the curve's colour.
         const auto has_mark = [&](int k) {
             const PlotStripPainter::Point p =
                 painter.point(survey.time_s[std::size_t(k)], survey.plotted[std::size_t(k)]);
             const int x = static_cast<int>(p.x), y = 180 + static_cast<int>(p.y);
-            return image.at(x - 3, y) == painter.colour(0) &&
-                   image.at(x, y - 3) == painter.colour(0);
+            return image.at(x - 2, y) == painter.colour(0) &&
+                   image.at(x, y - 2) == painter.colour(0);
         };
         EXPECT_EQ(at(i), painter.colour(0));
         for (int k = 0; k < 5; ++k) EXPECT_EQ(has_mark(k), k == i) << "frame " << i << " at " << k;

@@ -82,7 +82,9 @@ TEST(Picture, InLowerQualityHasTheSameViewAndTheSameWriting) {
     Renderer renderer(snapshot->header, picture);
     View view;
     const Image full = renderer.render(*snapshot, view);
-    const int keys = 641 - static_cast<int>(key_column_px(363, true, false));
+    const int keys =
+        641 -
+        static_cast<int>(lay_out_furniture(641, 363, {renderer.field(), false, false}).column_px);
     for (const Quality quality : {Quality::draft, Quality::coarse}) {
         view.quality = quality;
         const Image image = renderer.render(*snapshot, view);
@@ -308,7 +310,8 @@ TEST(Picture, ScaleBarHasItsLengthToAPixel) {
     view.fit_radius_um = 33.3;
     const Image image = renderer.render(*snapshot, view);
     const double px_per_um = renderer.camera(*snapshot, view).px_per_um;
-    const ScaleBar bar = make_scale_bar(image.width, image.height, px_per_um);
+    const double writing_scale = lay_out_furniture(image.width, image.height, {}).scale;
+    const ScaleBar bar = make_scale_bar(image.width, image.height, writing_scale, px_per_um);
     ASSERT_EQ(bar.label, "20 µm");
     // The camera's scale itself: 20 um between two points across the view.
     const Camera camera = renderer.camera(*snapshot, view);
@@ -331,8 +334,9 @@ TEST(Picture, WritingIsAtLeastSixteenPixelsHigh) {
     const auto snapshot = make_balls(make_header(1, 42), {{0, 0, 0}}, 9.0);
     Renderer renderer(snapshot->header, make_picture(""));
     const Image image = renderer.render(*snapshot, {});
-    const ScaleBar bar =
-        make_scale_bar(image.width, image.height, renderer.camera(*snapshot, {}).px_per_um);
+    const ScaleBar bar = make_scale_bar(image.width, image.height,
+                                        lay_out_furniture(image.width, image.height, {}).scale,
+                                        renderer.camera(*snapshot, {}).px_per_um);
     // Rows with ink above the bar, in its width: the digits of its label.
     int top = image.height, bottom = 0;
     for (int y = static_cast<int>(bar.y0) - 40; y < static_cast<int>(bar.y0) - 9; ++y)
@@ -396,6 +400,37 @@ TEST(Picture, OfSeedingShowsPlainCellsWithoutABar) {
     const Rgb a = pixel_at(image, camera.project({0, -10, 0}));
     const Rgb b = pixel_at(image, camera.project({0, 10, 0}));
     EXPECT_GT(distance(a, b), 10) << "cells are told apart";
+}
+
+TEST(Picture, ShowsItsCellsInAllSizesThatAreAllowed) {
+    const auto snapshot = make_aggregate(3, 42);
+    for (const std::array<int, 2> size : {std::array{64, 64},
+                                          {128, 128},
+                                          {200, 120},
+                                          {128, 720},
+                                          {720, 64},
+                                          {64, 4096},
+                                          {4096, 64}}) {
+        scene::Picture picture = make_picture("normal_stress");
+        picture.network = true;
+        picture.smooth = false;
+        picture.size_px = size;
+        Renderer renderer(snapshot->header, picture);
+        const Image image = renderer.render(*snapshot, {});
+        const Camera camera = renderer.camera(*snapshot, {});
+        EXPECT_GT(camera.px_per_um * shown_extent_um(*snapshot), 0.3 * 0.5 * 64)
+            << size[0] << " x " << size[1];
+        // Cells are most of the ink within their circle.
+        int n_white = 0, n_all = 0;
+        const double radius = 0.5 * camera.px_per_um * shown_extent_um(*snapshot);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                if (std::hypot(x - camera.centre_x_px, y - camera.centre_y_px) < radius) {
+                    ++n_all;
+                    n_white += image.at(x, y) == Rgb{255, 255, 255} ? 1 : 0;
+                }
+        EXPECT_LT(n_white, n_all / 2) << size[0] << " x " << size[1];
+    }
 }
 
 TEST(Picture, SaysWhichFieldsThereAreWhenTheWantedOneIsMissing) {

@@ -1,16 +1,22 @@
 #include "engine/base/error.hpp"
 #include "render/colour_maps.hpp"
 #include "render/plot.hpp"
+#include "render/plot_axes.hpp"
 #include "render/png.hpp"
 #include "tests/render/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace spheroscope::render {
 namespace {
@@ -41,7 +47,9 @@ double share_of(const Image& image, Rgb colour) {
 TEST(Plot, HasItsLinesInThePictureAndItsWordsInTheDrawing) {
     const TemporaryFolder folder;
     const auto png = folder.path() / "plot.png", svg = folder.path() / "plot.svg";
+    testing::internal::CaptureStderr();
     draw_plot(two_panels(), png, svg);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "VTK finds nothing wrong with it";
     const Image image = read_png(png).image;
     EXPECT_GT(share_of(image, {255, 255, 255}), 0.8);
     EXPECT_GT(share_of(image, {0, 114, 178}), 5e-4) << "the first series is blue";
@@ -104,6 +112,98 @@ TEST(Plot, DrawsAMapInItsColoursWithMissingPointsAsSuch) {
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     for (const char* word : {"missing", "±0.1", "†", "1/8", "γ/ω"})
         EXPECT_NE(text.find(word), std::string::npos) << word;
+}
+
+/// Left ends and baselines of the texts of an SVG that begin with these words.
+std::vector<std::array<double, 2>> places_of(const std::filesystem::path& svg,
+                                             const std::string& words) {
+    std::ifstream file(svg);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::vector<std::array<double, 2>> places;
+    const std::regex entry("<text[^>]* x=\"([-0-9.]+)\" y=\"([-0-9.]+)\"[^>]*>" + words);
+    for (std::sregex_iterator i(text.begin(), text.end(), entry), end; i != end; ++i)
+        places.push_back({std::stod((*i)[1]), std::stod((*i)[2])});
+    return places;
+}
+
+TEST(Plot, ItsLegendAboveIsAsWideAsItsNames) {
+    reports::Plot plot;
+    plot.title = "Figure";
+    plot.legend_above = true;
+    reports::Plot::Panel panel{"a", "x", "y"};
+    for (const char* name :
+         {"Name one: 15 nN on thirteen cells, stiff hull, and more of them",
+          "Name two: 30 nN on thirteen cells, stiff hull, and more of them", "Name three"})
+        panel.series.push_back({name, {1, 2}, {1, 2}});
+    plot.panels = {panel, panel};
+    plot.columns = 2;
+    const TemporaryFolder folder;
+    const auto png = folder.path() / "plot.png", svg = folder.path() / "plot.svg";
+    draw_plot(plot, png, svg);
+    auto places = places_of(svg, "Name ");
+    ASSERT_EQ(places.size(), 3U) << "each once, and whole";
+    std::sort(places.begin(), places.end(), [](auto p, auto q) { return p[1] < q[1]; });
+    // Two of these names (about 460 px each) have room in 1000 px.
+    EXPECT_EQ(places[0][1], places[1][1]);
+    EXPECT_GT(std::abs(places[0][0] - places[1][0]), 460.0);
+    EXPECT_GT(places[2][1], places[0][1] + 15.0);
+
+    plot.panels = {panel};
+    plot.panels[0].series[0].name += ", so that a picture of one panel is too narrow";
+    draw_plot(plot, png, svg);
+    const Image image = read_png(png).image;
+    EXPECT_EQ(places_of(svg, "Name ").size(), 3U);
+    EXPECT_EQ(places_of(svg, "Name [^<]*…[^<]*narrow").size(), 1U) << "cut in its middle";
+    int n_ink = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = image.width - 8; x < image.width; ++x) n_ink += image.at(x, y).r < 200 ? 1 : 0;
+    EXPECT_EQ(n_ink, 0) << "nothing is cut off at the edge";
+}
+
+TEST(Plot, ItsLegendStandsWhereItHidesNoPoint) {
+    // Points all along the upper half, where the legend would be, of a colour of their own.
+    reports::Plot plot = two_panels();
+    plot.panels.resize(1);
+    reports::Plot::Series many{"many", {}, {}};
+    many.line = reports::Plot::Line::none;
+    for (int i = 0; i <= 20; ++i) {
+        many.x.push_back(std::pow(10.0, i / 20.0));
+        many.y.push_back(1.0);
+    }
+    plot.panels[0].series = {{"one", {1.0}, {0.1}}, many};
+    const TemporaryFolder folder;
+    const auto png = folder.path() / "plot.png", svg = folder.path() / "plot.svg";
+    const auto orange = [&] {
+        draw_plot(plot, png, svg);
+        const Image image = read_png(png).image;
+        return share_of(image, {213, 94, 0}) * image.width * image.height;
+    };
+    const double inside = orange();
+    plot.legend_above = true;
+    // The legends' own samples: one mark inside, 22 x 10 px above.
+    EXPECT_GT(inside, orange() - 220.0) << "all 21 marks are seen";
+}
+
+TEST(Axis, ThatIsLogarithmicHasTwoLabelsOrMoreHoweverShort) {
+    reports::Plot::Axis axis;
+    for (const double low : {0.0017, 0.31, 1.0, 1.9, 4.0, 60.0})
+        for (const double ratio : {1.0, 1.3, 2.0, 4.0, 8.0, 30.0, 1e6}) {
+            AxisRange range(axis);
+            range.include(low);
+            range.include(low * ratio);
+            range.widen();
+            const std::vector<AxisTick> ticks = logarithmic_ticks(range);
+            EXPECT_GE(ticks.size(), 2U) << low << " to " << low * ratio;
+            for (const AxisTick& tick : ticks)
+                EXPECT_TRUE(tick.place >= range.low && tick.place <= range.high) << tick.label;
+        }
+    AxisRange range(axis);
+    range.include(0.0015);
+    range.include(0.006);
+    range.widen();
+    std::vector<std::string> labels;
+    for (const AxisTick& tick : logarithmic_ticks(range)) labels.push_back(tick.label);
+    EXPECT_EQ(labels, (std::vector<std::string>{"2·10⁻³", "5·10⁻³"}));
 }
 
 TEST(Plot, WithoutAPanelIsRefused) {

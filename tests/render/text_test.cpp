@@ -1,10 +1,12 @@
-// Letters over something drawn have a white edge; elsewhere they look as without one.
+// Letters over something drawn have a white edge, elsewhere they look as without one; what is too
+// long is shortened.
 
 #include "render/text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 namespace spheroscope::render {
 namespace {
@@ -38,6 +40,27 @@ TEST(TextHalo, IsWhiteAroundTheLettersAndLeavesThemAsTheyAre) {
 
 TEST(TextHalo, OnWhiteIsNotThere) {
     EXPECT_EQ(written_on({255, 255, 255}, 0.0), written_on({255, 255, 255}, 2.5));
+}
+
+TEST(Text, ThatIsTooLongIsCutWhereItIsWanted) {
+    TextPainter text;
+    const TextPainter::Style style;
+    const std::string words = "γ/ω = 1, Under the bead: 15 nN, seed 1";
+    const double all = text.width(words, style);
+    EXPECT_EQ(shortened(text, words, style, all), words);
+    const std::string front = shortened(text, words, style, 0.6 * all);
+    EXPECT_LE(text.width(front, style), 0.6 * all);
+    EXPECT_EQ(front.rfind("γ/ω = 1, U", 0), 0U) << front;
+    EXPECT_EQ(front.substr(front.size() - 3), "…");
+    const std::string both = shortened(text, words, style, 0.6 * all, Cut::middle);
+    EXPECT_LE(text.width(both, style), 0.6 * all);
+    EXPECT_EQ(both.rfind("γ/ω = 1", 0), 0U) << both;
+    EXPECT_EQ(both.substr(both.size() - 6), "seed 1") << both;
+    EXPECT_EQ(shortened(text, words, style, 10.0), "") << "two letters have no room";
+    const std::string greek = "γγγγγγγγ";
+    const std::string whole = shortened(text, greek, style, 0.8 * text.width(greek, style));
+    ASSERT_GT(whole.size(), 3U);
+    EXPECT_EQ(whole.size() % 2, 1U) << whole << ": letters of two bytes and a … of three";
 }
 
 }  // namespace

@@ -1,0 +1,67 @@
+#include "engine/measures/totals.hpp"
+#include "render/layers/plot_strip.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace spheroscope::render {
+namespace {
+
+PlotStrip rising_curves() {
+    PlotStrip strip;
+    strip.heading = "contact_area (µm²)";
+    strip.curves = {{"Under the bead: 15 nN", {0.0, 50.0, 187.5}, {1000.0, 3000.0, 3500.0}},
+                    {"Under the bead: 30 nN", {0.0, 50.0, 187.5}, {900.0, 3100.0, 3200.0}}};
+    return strip;
+}
+
+TEST(PlotStrip, IsUprightBelowPicturesOfEverySize) {
+    const PlotStrip strip = rising_curves();
+    for (const auto& [width, height] : {std::array{320, 180},
+                                        {480, 300},
+                                        {640, 360},
+                                        {900, 400},
+                                        {1280, 720},
+                                        {64, 64},
+                                        {4096, 64},
+                                        {64, 4096},
+                                        {200, 120}}) {
+        const PlotStripPainter painter(strip, width, height);
+        const Image image = painter.draw(std::array{187.5, 187.5});
+        ASSERT_EQ(image.height, PlotStripPainter::height_px(height));
+        EXPECT_EQ(image.height % 2, 0) << "movies want it";
+        const PlotStripPainter::Point low = painter.point(0.0, 1000.0),
+                                      high = painter.point(187.5, 3500.0);
+        EXPECT_GT(low.y - high.y, 0.3 * image.height) << width << " x " << height;
+        EXPECT_GT(high.x - low.x, 0.45 * width) << width << " x " << height;
+        EXPECT_GE(high.y, 0.0);
+        EXPECT_LE(low.y, image.height);
+        EXPECT_GE(low.x, 0.0);
+        EXPECT_LE(high.x, width);
+    }
+}
+
+TEST(PlotStrip, IsAQuarterOfALargePicture) {
+    EXPECT_EQ(PlotStripPainter::height_px(720), 180);
+    EXPECT_EQ(PlotStripPainter::height_px(2160), 540);
+}
+
+TEST(PlotStrip, WritesUnitsAsPicturesDo) {
+    EXPECT_EQ(shown_unit("um^2").text, "µm²");
+    EXPECT_EQ(shown_unit("kPa").text, "Pa");
+    EXPECT_EQ(shown_unit("kPa").per_stored, 1000.0);
+    EXPECT_EQ(shown_unit("nN um/s").text, "nN µm/s");
+    EXPECT_EQ(shown_unit("1").text, "");
+    for (const TotalsRow& row : all_totals()) {
+        const std::string text = shown_unit(row.unit).text;
+        EXPECT_EQ(text.find('^'), std::string::npos) << row.name;
+        EXPECT_EQ(text.find("um"), std::string::npos) << row.name;
+        EXPECT_EQ(text.find("kPa"), std::string::npos) << row.name;
+    }
+}
+
+}  // namespace
+}  // namespace spheroscope::render
