@@ -43,12 +43,9 @@ bool has_finished_run(const cli::RunPlace& place, const scene::Scene& scene) {
     if (!fs::exists(place.run_file())) return false;
     try {
         const RunFileReader reader(place.run_file());
-        // Only what the engine reads counts: other pictures of the same run need no new run.
-        const scene::Scene stored = scene::parse_scene(reader.header()->resolved_scene, "stored");
         return reader.is_complete() && reader.changes().empty() &&
                reader.header()->version == cli::version_text() &&
-               cli::without_pictures(stored.resolved_toml) ==
-                   cli::without_pictures(scene.resolved_toml);
+               cli::is_run_of(scene, *reader.header());
     } catch (const Error&) {
         return false;  // whatever is there is not this run; simulate() says what it thinks of it
     }

@@ -83,14 +83,6 @@ ExitCode view_file(const ViewArguments& arguments) {
     return ExitCode::ok;
 }
 
-/// Throws Error where a run that is not over would be lost.
-void check_place(const cli::RunPlace& place, bool overwrite) {
-    if (overwrite || !fs::exists(place.run_file()) || RunFileReader(place.run_file()).is_complete())
-        return;
-    throw Error(place.run_file() + ": an unfinished run is there",
-                "`run --resume` goes on with it, --overwrite begins anew, -o writes elsewhere");
-}
-
 /// Runs the scene and shows it meanwhile. A window that is closed ends the run with a checkpoint.
 ExitCode view_scene(const ViewArguments& arguments, const cli::Invocation& invocation) {
     const cli::CommonOptions& common = arguments.common;
@@ -100,7 +92,7 @@ ExitCode view_scene(const ViewArguments& arguments, const cli::Invocation& invoc
         throw Error(Loc{arguments.input, 0, 0}, "a view needs at least one [[picture]]",
                     "`run` simulates without pictures");
     const cli::RunPlace place = cli::run_place(arguments.input, common);
-    check_place(place, arguments.overwrite);
+    if (!arguments.overwrite) cli::check_nothing_is_lost(place, scene, {});
     cli::CommonOptions quiet = common;
     quiet.quiet = true;  // the panel shows the progress
     viewer::Window window("spheroscope: " + arguments.input, k_width_px, k_height_px);
@@ -146,11 +138,11 @@ cli::Verb view_verb() {
                 const auto arguments = std::make_shared<ViewArguments>();
                 command.argument("SCENE|FILE", arguments->input, "scene, or HDF5 file of a run");
                 command.flag("--overwrite", arguments->overwrite,
-                             "begin anew where an unfinished run is");
+                             "begin anew where an unfinished run, or that of another scene, is");
                 command.flag("--paused", arguments->paused,
                              "a scene begins in a pause: Space plays, . makes one step");
                 cli::add_common_options(command, arguments->common,
-                                        {CommonOption::output, CommonOption::threads,
+                                        {CommonOption::output_folder, CommonOption::threads,
                                          CommonOption::simd, CommonOption::seed, CommonOption::set,
                                          CommonOption::json});
                 return [arguments](const cli::Invocation& invocation) {

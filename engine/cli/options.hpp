@@ -13,7 +13,7 @@ namespace spheroscope::cli {
 
 /// The options that several verbs share. A verb takes some of them; all mean the same everywhere.
 enum class CommonOption {
-    output,  ///< a file
+    output,  ///< a file, or what the verb says
     output_folder,
     threads,
     simd,

@@ -65,7 +65,7 @@ struct StartPoint {
     bool is_over = false;           ///< the file holds the finished run of this scene
 };
 
-StartPoint point_to_resume(const RunPlace& place, const RunHeader& header) {
+StartPoint point_to_resume(const RunPlace& place, const scene::Scene& scene) {
     const std::string file = place.run_file();
     const bool has_checkpoint =
         fs::exists(checkpoint_path(file)) || fs::exists(older_checkpoint_path(file));
@@ -79,7 +79,7 @@ StartPoint point_to_resume(const RunPlace& place, const RunHeader& header) {
     StartPoint start{.state = {}, .continues_file = true};
     const RunFileReader reader(file);
     if (reader.is_complete()) {
-        if (reader.header()->resolved_scene != header.resolved_scene)
+        if (!is_run_of(scene, *reader.header()))
             throw Error(file + ": this is the finished run of another scene or seed",
                         "--overwrite replaces it, -o writes elsewhere");
         start.is_over = true;
@@ -94,24 +94,14 @@ StartPoint point_to_resume(const RunPlace& place, const RunHeader& header) {
     return start;
 }
 
-/// Throws if the run cannot begin there, or would overwrite an unfinished one or that of another
-/// scene.
-StartPoint start_point(const RunPlace& place, const RunHeader& header, bool resume,
-                       bool overwrite) {
+/// Throws if the run cannot begin there, or something would be lost.
+StartPoint start_point(const RunPlace& place, const scene::Scene& scene,
+                       const std::vector<Change>& changes, bool resume, bool overwrite) {
     if (resume && overwrite)
         throw Error("--resume and --overwrite exclude each other",
                     "--resume goes on with what is there, --overwrite begins anew");
-    if (resume) return point_to_resume(place, header);
-    if (fs::exists(place.run_file()) && !overwrite) {
-        const RunFileReader reader(place.run_file());
-        if (!reader.is_complete())
-            throw Error(place.run_file() + ": an unfinished run is there",
-                        "--resume goes on with it, --overwrite begins anew, -o writes elsewhere");
-        if (without_pictures(reader.header()->resolved_scene) !=
-            without_pictures(header.resolved_scene))
-            throw Error(place.run_file() + ": the finished run of another scene or seed is there",
-                        "--overwrite replaces it, -o writes elsewhere");
-    }
+    if (resume) return point_to_resume(place, scene);
+    if (!overwrite) check_nothing_is_lost(place, scene, changes);
     return {};
 }
 
@@ -211,8 +201,33 @@ SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene&
 
 }  // namespace
 
-std::string_view without_pictures(std::string_view resolved_scene) {
-    return resolved_scene.substr(0, resolved_scene.find("[[picture]]"));
+bool is_run_of(const scene::Scene& scene, const RunHeader& stored) {
+    const auto without_pictures = [](const std::string& text) {
+        return text.substr(0, text.find("[[picture]]"));
+    };
+    try {
+        // An earlier version did not write keys that have come since; read anew, they have their
+        // defaults.
+        const scene::Scene read = scene::parse_scene(stored.resolved_scene, "stored");
+        return without_pictures(read.resolved_toml) == without_pictures(scene.resolved_toml);
+    } catch (const Error&) {
+        return false;  // a scene that this version does not take is another one
+    }
+}
+
+void check_nothing_is_lost(const RunPlace& place, const scene::Scene& scene,
+                           const std::vector<Change>& changes) {
+    if (!fs::exists(place.run_file())) return;
+    const RunFileReader reader(place.run_file());
+    const auto refuse = [&](const std::string& what, const std::string& hint) {
+        throw Error(place.run_file() + ": " + what + " is there", hint + ", -o writes elsewhere");
+    };
+    if (!reader.is_complete())
+        refuse("an unfinished run", "--resume goes on with it, --overwrite begins anew");
+    if (!is_run_of(scene, *reader.header()))
+        refuse("the finished run of another scene or seed", "--overwrite replaces it");
+    if (reader.changes() != changes)
+        refuse("a finished run that was changed on its way", "--overwrite replaces it");
 }
 
 RunPlace run_place(const std::string& scene_file, const CommonOptions& options) {
@@ -246,7 +261,7 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     if (failed)
         throw Error(place.folder + ": cannot make this folder (" + failed.message() + ")",
                     "choose another one with -o");
-    const StartPoint start = start_point(place, *engine.header(), options.resume, overwrite);
+    const StartPoint start = start_point(place, scene, changes, options.resume, overwrite);
     if (start.state) engine.resume(*start.state);
     if (start.is_over) {
         spdlog::info("{}: this run is finished; nothing is left to do", place.run_file());

@@ -8,7 +8,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace spheroscope::cli {
@@ -41,8 +40,14 @@ struct SimulationSummary {
                                          const std::vector<Change>& changes = {},
                                          LiveControl* live = nullptr);
 
-/// What a run depends on, of a resolved scene.
-[[nodiscard]] std::string_view without_pictures(std::string_view resolved_scene);
+/// Whether a stored run is of this scene and seed. Only what the engine reads counts: other
+/// pictures are the same run.
+[[nodiscard]] bool is_run_of(const scene::Scene& scene, const RunHeader& stored);
+
+/// Throws Error where a run of this scene with these changes would take the place of an unfinished
+/// run, of one of another scene or seed, or of one that was changed in another way.
+void check_nothing_is_lost(const RunPlace& place, const scene::Scene& scene,
+                           const std::vector<Change>& changes);
 
 /// The summary for people, and for scripts.
 [[nodiscard]] std::string summary_text(const SimulationSummary& summary, const RunPlace& place);

@@ -270,25 +270,26 @@ ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invoc
                      "there",
                      reader.path(), reader.outcome().empty() ? "not ended" : reader.outcome(),
                      reader.n_frames());
-    if (reader.frame(frame)->stage_name == "anneal")
+    const SnapshotPtr snapshot = reader.frame(frame);
+    const bool is_whole_run = arguments.history || arguments.events;
+    if (arguments.step) {
+        show_step(arguments, reader, snapshot);
+        return ExitCode::ok;
+    }
+    if (snapshot->stage_name == "anneal")
         spdlog::warn(
             "frame {} is of the seeding, which packs beads: its forces are what cells would feel "
             "in their places, and have moved nothing",
             frame);
-    const bool is_whole_run = arguments.history || arguments.events;
-    if (arguments.step) {
-        show_step(arguments, reader, reader.frame(frame));
-        return ExitCode::ok;
-    }
     if (!key) {
         if (arguments.node.empty())
-            show_frame(arguments, reader, reader.frame(frame));
+            show_frame(arguments, reader, snapshot);
         else
-            show_node(arguments, reader, reader.frame(frame), invocation, drawers);
+            show_node(arguments, reader, snapshot, invocation, drawers);
         return ExitCode::ok;
     }
     if (!is_whole_run && arguments.common.output.empty()) {
-        show_contact(arguments, reader, reader.frame(frame), *key);
+        show_contact(arguments, reader, snapshot, *key);
         return ExitCode::ok;
     }
     inspect::ContactStory story = inspect::tell_contact(
@@ -298,8 +299,7 @@ ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invoc
     if (is_whole_run) show_run(arguments, reader, story);
     if (!arguments.common.output.empty()) {
         // A sheet of a frame without the contact has nothing to show: the numbers say so.
-        if (!is_whole_run && ending == ".png")
-            show_contact(arguments, reader, reader.frame(frame), *key);
+        if (!is_whole_run && ending == ".png") show_contact(arguments, reader, snapshot, *key);
         draw(arguments, story, frame, drawers);
     }
     return ExitCode::ok;

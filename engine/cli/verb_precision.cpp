@@ -13,15 +13,18 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace spheroscope::cli {
 namespace {
 
+constexpr int k_levels = 5, k_most_nodes = 2562;
+
 struct PrecisionArguments {
     std::string scene;
     bool mesh = false;
-    int levels = 5;
-    int most_nodes = 0;  // 0: not given, 2562
+    std::optional<int> levels;
+    std::optional<int> most_nodes;
     CommonOptions common;
 };
 
@@ -47,7 +50,10 @@ void give_out(const std::string& path, const reports::ReportTable& table, const 
 ExitCode precision(const PrecisionArguments& arguments, const reports::DrawPlot& draw,
                    const Invocation& invocation) {
     if (arguments.common.quiet) make_log_quiet();
-    if (arguments.most_nodes > 0 && !arguments.mesh)
+    if (arguments.levels && arguments.mesh)
+        throw Error("--levels is about steps and tolerances, and these are mesh levels",
+                    "--most-nodes says which is the finest");
+    if (arguments.most_nodes && !arguments.mesh)
         throw Error("--most-nodes is about mesh levels, and these are steps and tolerances",
                     "add --mesh, or --set cells.nodes=N for another mesh");
     const scene::Scene scene = scene::load_scene(arguments.scene, arguments.common.overrides());
@@ -60,7 +66,7 @@ ExitCode precision(const PrecisionArguments& arguments, const reports::DrawPlot&
     Progress progress(progress_style(arguments.common.quiet));
     reports::PrecisionOptions options;
     options.threads = arguments.common.n_threads();
-    options.n_levels = arguments.levels;
+    options.n_levels = arguments.levels.value_or(k_levels);
     options.wall_limit_s = arguments.common.time_limit_s().value_or(0.0);
     options.stop = &interrupts.stop();
     options.progress = [&](const std::string& what, double share) {
@@ -69,7 +75,7 @@ ExitCode precision(const PrecisionArguments& arguments, const reports::DrawPlot&
     };
     if (arguments.mesh) {
         const reports::MeshLadder ladder = reports::compute_mesh_ladder(
-            scene, arguments.most_nodes > 0 ? arguments.most_nodes : 2562, options);
+            scene, arguments.most_nodes.value_or(k_most_nodes), options);
         progress.clear();
         give_out(folder + "/mesh", table_of(ladder), notes_of(ladder, scene.cells.nodes),
                  json_of(ladder, scene.cells.nodes), draw, nullptr, arguments, invocation);
@@ -94,12 +100,17 @@ Verb precision_verb(const reports::DrawPlot& draw) {
                 command.flag("--mesh", arguments->mesh,
                              "compare mesh levels instead of methods, and tell mesh error from "
                              "time error");
-                command.option("--levels", arguments->levels,
-                               "steps or tolerances of each method, around the scene's own",
-                               between(1, 12));
-                command.option("--most-nodes", arguments->most_nodes,
-                               "finest level of --mesh: 42, 162, 642 or 2562 nodes (default: 2562)",
-                               one_of({42, 162, 642, 2562}));
+                command.option(
+                    "--levels", arguments->levels,
+                    fmt::format("steps or tolerances of each method, around the scene's own "
+                                "(default: {})",
+                                k_levels),
+                    between(1, 12));
+                command.option(
+                    "--most-nodes", arguments->most_nodes,
+                    fmt::format("finest level of --mesh: 42, 162, 642 or 2562 nodes (default: {})",
+                                k_most_nodes),
+                    one_of({42, 162, 642, 2562}));
                 add_common_options(command, arguments->common,
                                    {CommonOption::output_folder, CommonOption::threads,
                                     CommonOption::seed, CommonOption::set, CommonOption::json,

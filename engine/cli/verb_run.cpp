@@ -80,7 +80,7 @@ Verb run_verb() {
                 command.argument("SCENE|FILE", arguments->scene,
                                  "scene file, or HDF5 file of a run");
                 command.flag("--overwrite", arguments->overwrite,
-                             "begin anew where an unfinished run is");
+                             "begin anew where an unfinished run, or that of another scene, is");
                 command.option("--seeds", arguments->seeds,
                                "one run after the other with these seeds, 1..5 or 1,4,7, each in "
                                "a folder of its own",

@@ -45,11 +45,10 @@ std::string MeasureError::advice() const {
     if (largest < 0.0) return "";
     if (largest == size(mesh)) return "mesh: a finer mesh (cells.nodes) divides it by 4";
     if (largest == size(rest)) return "not at rest: a longer relaxation halves it";
-    return "time steps: half of method.dt (fixed steps) or a quarter of method.tolerance halves it "
-           "where "
-           "contacts are at rest; where they grow, linearly_implicit is late by as much with any "
-           "step: "
-           "method.name = \"rosenbrock_w\"";
+    return "time steps: half of method.dt where they are fixed, a quarter of method.tolerance "
+           "where they "
+           "adapt, halves it; linearly_implicit is late with any step while contacts grow "
+           "(rosenbrock_w and rkc are not)";
 }
 
 std::span<const std::string_view> estimated_measures() { return k_measures; }

@@ -149,7 +149,10 @@ void PlotStripPainter::draw_axes(TextPainter& text, const Range& values) {
         left_ = std::max(left_, text.width(number_text(value), style) + scaled(18.0));
     // In a narrow strip the curve needs the room of the numbers.
     const bool has_labels = right_ - left_ > 0.5 * background_.width;
-    if (!has_labels) left_ = background_.width - (right_ = background_.width - scaled(8.0));
+    if (!has_labels) {
+        right_ = background_.width - scaled(8.0);
+        left_ = background_.width - right_;
+    }
 
     for (const double time_s : strip_.stage_begin_s) {
         const double x = std::round(point(time_s, value_low_).x);

@@ -105,6 +105,7 @@ TEST_F(BadInput, OfOptionsThatMeanNothingThereIsNotIgnored) {
     expect_refused({"run", "scene.toml", "-o", "x.h5"}, "a folder to write into, got 'x.h5'");
     expect_refused({"run", "scene.toml", "--seed", "99999999999999999999"}, "at most 18 digits");
     expect_refused({"precision", "scene.toml", "--most-nodes", "162"}, "--most-nodes is about");
+    expect_refused({"precision", "scene.toml", "--mesh", "--levels", "3"}, "--levels is about");
     expect_refused({"reproduce", "no.claims", "--stored"}, "no.claims: cannot be read");
     EXPECT_FALSE(fs::exists(path("x.h5")));
 }

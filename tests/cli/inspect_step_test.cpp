@@ -53,7 +53,7 @@ TEST_F(InspectStep, AddsUpToTheForceOnTheNode) {
         EXPECT_NE(text.find(words), std::string::npos) << text;
 }
 
-TEST_F(InspectStep, OfARunUnderABeadMovesTheBeadAsTheRunDid) {
+TEST_F(InspectStep, OfARunUnderABeadIsOneThatTheRunWouldTake) {
     write_file("scene.toml", all_stages_scene() + "\n[[stage]]\nkind = \"indent\"\n"
                                                   "duration = \"1 s\"\nevery = \"0.5 s\"\n"
                                                   "force = \"15 nN\"\nprobe_radius = \"27 um\"\n");
@@ -63,6 +63,25 @@ TEST_F(InspectStep, OfARunUnderABeadMovesTheBeadAsTheRunDid) {
     const json step = json::parse(outcome.out)["step"];
     EXPECT_TRUE(step["accepted"].get<bool>()) << outcome.out;
     EXPECT_LT(step["phases"][1]["relative_residual"].back().get<double>(), 1e-2);
+
+    // a file of an earlier version
+    const Outcome forget =
+        shell("/usr/bin/python3 -c 'import h5py' 2>/dev/null || exit 77; /usr/bin/python3 -c '"
+              "import h5py\n"
+              "file = h5py.File(\"b/run.h5\", \"r+\")\n"
+              "for step in file[\"steps\"].values(): step.pop(\"probe_motion\", None)'");
+    if (forget.code == 77) GTEST_SKIP() << "no h5py";
+    ASSERT_EQ(forget.code, 0) << forget.err;
+    const Outcome refused = call({"inspect", "b/run.h5", "--step"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("does not say how the bead moves"), std::string::npos)
+        << refused.err;
+}
+
+TEST_F(InspectStep, SaysOfAFrameOfBeadsThatItsForcesHaveMovedNothing) {
+    const Outcome outcome = call({"inspect", "o/run.h5", "--frame", "0", "--quiet"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.err.find("frame 0 is of the seeding"), std::string::npos) << outcome.err;
 }
 
 TEST_F(InspectStep, RefusesWhatHasNoStep) {

@@ -107,6 +107,28 @@ TEST_F(StabilityVerb, StepsFindsTheBlowUpOfTheExplicitMethodBesideTheEstimate) {
     EXPECT_LT(ratio, 1.3);
 }
 
+TEST_F(StabilityVerb, StepsFindsNodesThatBounce) {
+    const Outcome outcome =
+        call({"stability", SPHEROSCOPE_SOURCE_DIR "/scenes/bench/doublet_stiff.toml", "--steps",
+              "--json", "--quiet", "--threads", "1", "--set", "cells.nodes=42"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto document = nlohmann::json::parse(outcome.out);
+    const auto& ladder = document["ladders"][0];
+    const double ratio = ladder["estimate_over_stable"];
+    EXPECT_GT(ratio, 0.7);
+    EXPECT_LE(ratio, 1.0);
+    int n_bouncing = 0;
+    for (const auto& trial : ladder["trials"]) {
+        if (trial["stable"].get<bool>()) {
+            EXPECT_LT(trial["speed_ratio"].get<double>(), 2.0) << trial;
+        } else if (trial["why"].get<std::string>().find("times too fast") != std::string::npos) {
+            EXPECT_GT(trial["speed_ratio"].get<double>(), 2.0) << trial;
+            ++n_bouncing;
+        }
+    }
+    EXPECT_GT(n_bouncing, 0);
+}
+
 TEST_F(StabilityVerb, BenchGivesTimesTogetherWithErrorsAndHashes) {
     const Outcome outcome = call({"bench", "--quick", "--repetitions", "1", "--json", "--quiet",
                                   "-o", "here", "--time-limit", "50 ms"});

@@ -79,6 +79,8 @@ TEST(MeasureError, AddsItsPartsSaysWhatWouldHalveTheLargestAndWhenNothingIsResol
     EXPECT_DOUBLE_EQ(error.total(), 13.0);
     EXPECT_FALSE(error.is_resolved());
     EXPECT_NE(error.advice().find("mesh"), std::string::npos);
+    error.time = 20.0;
+    EXPECT_NE(error.advice().find("a quarter of method.tolerance"), std::string::npos);
     const MeasureError unknown{"energy", "fJ", 1.0};
     EXPECT_TRUE(std::isnan(unknown.total()));
     EXPECT_TRUE(unknown.is_resolved());
