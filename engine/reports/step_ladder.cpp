@@ -22,8 +22,11 @@ struct Bound {
     double largest;
 };
 constexpr std::array<Bound, 2> k_bounds{{{"gamma_eff", 0.5}, {"contact_area", 0.1}}};
-/// Steps that hold change the speed of creeping cells by a few percent, nodes that bounce by tens.
+/// Steps that hold change the speed of creeping cells by a few percent, the first ones that do not
+/// by factors of three and more.
 constexpr double k_fastest = 2.0;
+/// What is slower stands still, and a ratio to it says nothing.
+constexpr double k_still_um_per_s = 1e-6;
 /// What bounces from the contacts' rounding on has grown to its full size in about fifty steps.
 constexpr double k_fewest_steps = 100.0;
 
@@ -93,8 +96,9 @@ class Climb {
 
     /// What a run that came to its end looks like there.
     void judge(const MeasuredRun& done, StepTrial& trial) const {
-        trial.speed_ratio = done.end.totals.normal_speed_rms_um_per_s /
-                            reference_.end.totals.normal_speed_rms_um_per_s;
+        trial.speed_ratio =
+            done.end.totals.normal_speed_rms_um_per_s /
+            std::max(reference_.end.totals.normal_speed_rms_um_per_s, k_still_um_per_s);
         if (!(trial.speed_ratio <= k_fastest)) {
             trial.is_stable = false;
             trial.why = fmt::format("nodes are {:.3g} times too fast", trial.speed_ratio);

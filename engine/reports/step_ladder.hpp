@@ -36,8 +36,8 @@ struct StepLadderOptions {
 /// Raises the step of every explicit method with fixed steps from half the program's estimate to
 /// eight times it, in factors of sqrt(2), with the method's own check switched off; then halves the
 /// interval n_bisections times. A run is stable if it comes to its end with nodes at most twice as
-/// fast as in a run with a quarter of the estimated step (nodes that bounce are ten and more times
-/// as fast), and within half of its gamma_eff and 10 % of its contact area. Where nodes end is not
+/// fast as in a run with a quarter of the estimated step (nodes that bounce are several times as
+/// fast), and within half of its gamma_eff and 10 % of its contact area. Where nodes end is not
 /// asked: cells that creep come to other places with every step. A last stage shorter than 100
 /// estimated steps is made as long: bouncing needs time to grow. Throws Error as
 /// with_fixed_outputs.
