@@ -7,7 +7,8 @@ Runs scenes/bench/ball_13.toml (13 cells, E = 20 kPa, omega = 0.5 nN/um) on one 
 out/against_forward_euler, and prints how much faster each row is than the first, with the difference of
 its end: contact area, hydrostatic stress (RMS over cells over the RMS of the first row's), and whether
 the same cells touch. The last row is the first with half the step: what the reference itself scatters.
-After 160 s the cells are at rest; 30 s, the default, end on the way there.
+After 160 s the cells are at rest; 30 s, the default, end on the way there. Rows of less than ten seconds
+are run three times, and the quickest counts.
 """
 import shutil
 import subprocess
@@ -73,6 +74,8 @@ def main():
     print(f"{'method':44} {'wall s':>8} {'faster':>7} {'area':>9} {'sigma_h':>8}  same contacts")
     for number, (name, changes) in enumerate(ROWS):
         end = end_of(number, changes)
+        if end is not None and end[0] < 10.0:
+            end = min((end, end_of(number, changes), end_of(number, changes)), key=lambda e: e[0])
         if end is None:
             print(f"{name:44} stopped: unstable")
             continue
