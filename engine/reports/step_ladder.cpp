@@ -27,7 +27,8 @@ constexpr std::array<Bound, 2> k_bounds{{{"gamma_eff", 0.5}, {"contact_area", 0.
 constexpr double k_fastest = 2.0;
 /// What is slower stands still, and a ratio to it says nothing.
 constexpr double k_still_um_per_s = 1e-6;
-/// What bounces from the contacts' rounding on has grown to its full size in about fifty steps.
+/// Ten steps are too few to see nodes bounce: thirteen cells then seem to hold at 1.6 times the
+/// limit.
 constexpr double k_fewest_steps = 100.0;
 
 class Climb {
