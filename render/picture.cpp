@@ -3,6 +3,7 @@
 #include "engine/run/aggregate_shape.hpp"
 #include "engine/run/exploded.hpp"
 #include "engine/run/principal_stress.hpp"
+#include "engine/scene/picture_size.hpp"
 #include "render/layers/cell_surfaces.hpp"
 #include "render/layers/compose.hpp"
 #include "render/layers/furniture.hpp"
@@ -26,7 +27,6 @@ namespace {
 
 constexpr double k_filled_share = 0.87;  // of the picture's height by the aggregate's extent
 constexpr int k_coarse_px = 2;           // of a picture to each side, for one that is drawn
-constexpr int k_smallest_side = 64, k_largest_side = 4096;
 
 Vec3 point(const std::vector<float>& values, std::size_t i) {
     return {static_cast<double>(values[3 * i]), static_cast<double>(values[3 * i + 1]),
@@ -35,11 +35,12 @@ Vec3 point(const std::vector<float>& values, std::size_t i) {
 
 void check_picture(const scene::Picture& picture) {
     for (const int side : picture.size_px)
-        if (side < k_smallest_side || side > k_largest_side)
+        if (side < scene::k_smallest_side_px || side > scene::k_largest_side_px)
             throw Error(picture.loc,
                         fmt::format("picture '{}' wants sides of {} to {} pixels, got {} x {}",
-                                    picture.name, k_smallest_side, k_largest_side,
-                                    picture.size_px[0], picture.size_px[1]));
+                                    picture.name, scene::k_smallest_side_px,
+                                    scene::k_largest_side_px, picture.size_px[0],
+                                    picture.size_px[1]));
     if (picture.range == "given" && !(picture.given_range[0] < picture.given_range[1]))
         throw Error(picture.loc,
                     fmt::format("picture '{}' wants a range from low to high, got {} to {}",

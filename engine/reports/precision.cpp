@@ -136,7 +136,7 @@ scene::Scene MethodSetting::applied_to(const scene::Scene& scene) const {
 
 MethodSetting own_setting(const scene::Scene& scene) {
     const MethodRow& method = chosen_method(scene);
-    return {&method, scene.method.dt_s, method.adaptive ? scene.method.tolerance_um : 0.0,
+    return {&method, scene.method.dt_s, method.adaptive() ? scene.method.tolerance_um : 0.0,
             scene.method.linear_tolerance};
 }
 
@@ -148,11 +148,11 @@ std::vector<MethodSetting> ladder(const MethodRow& method, const scene::Scene& s
     for (int level = 0; level < n_levels; ++level) {
         // An adaptive method at a coarse tolerance is held by its bound on displacements, and all
         // of its coarse rows are the same: its ladder goes further down.
-        const int own_level = n_levels / 2 - (method.adaptive ? 1 : 0);
+        const int own_level = n_levels / 2 - (method.adaptive() ? 1 : 0);
         const double factor = std::pow(2.0, own_level - level);
         MethodSetting setting{&method, scene.method.dt_s, 0.0,
                               std::min(0.1, factor * scene.method.linear_tolerance)};
-        if (method.adaptive)
+        if (method.adaptive())
             setting.tolerance_um = own_um * factor * factor;
         else
             setting.dt_s *= factor;

@@ -25,7 +25,7 @@ constexpr double k_undefined = std::numeric_limits<double>::quiet_NaN();
 /// "" for explicit methods that adapt to what stability asks for: they are neither.
 std::string_view class_of(const MethodRow& method) {
     if (method.needs_stiffness) return "implicit";
-    return method.adaptive ? "" : "explicit";
+    return method.adaptive() ? "" : "explicit";
 }
 
 void check_rules(const scene::Scene& scene) {

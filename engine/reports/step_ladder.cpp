@@ -126,7 +126,7 @@ class Climb {
 std::vector<StepLadder> climb_steps(const scene::Scene& scene, const StepLadderOptions& options) {
     std::vector<StepLadder> ladders;
     for (const MethodRow& method : all_methods())
-        if (!method.needs_stiffness && !method.adaptive)
+        if (!method.needs_stiffness && !method.adaptive())
             ladders.push_back(Climb(scene, method, options).climb());
     return ladders;
 }

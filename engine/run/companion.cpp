@@ -15,8 +15,7 @@ scene::Scene with_half_steps(const scene::Scene& scene, double time_s, std::int6
     SPHEROSCOPE_ASSERT(method.moves_in_time(), "a method with a motion in time");
     scene::Scene finer = scene;
     scene::Method& m = finer.method;
-    const bool controls_third_order = method.order == 2 && !method.needs_stiffness;
-    const bool is_fixed = m.tolerance_um == 0.0 || !method.adaptive;
+    const bool is_fixed = has_fixed_steps(scene);
     m.linear_tolerance *= method.order == 2 ? 0.25 : 0.5;
     m.displacement_bound_h0 *= 0.5;
     if (is_fixed && m.stable_step == scene::StableStep::follow)
@@ -25,7 +24,7 @@ scene::Scene with_half_steps(const scene::Scene& scene, double time_s, std::int6
         m.dt_max_s *= 0.5;
     m.dt_min_s = std::min(m.dt_min_s, m.dt_max_s);
     if (is_fixed || m.dt_s > m.dt_max_s) m.dt_s *= 0.5;
-    m.tolerance_um *= controls_third_order ? 0.125 : 0.25;
+    m.tolerance_um *= std::pow(0.5, method.estimate_order);
     for (scene::Stage& stage : finer.stages) stage.frames = 0;
     return finer;
 }

@@ -354,9 +354,14 @@ std::vector<MeasureError> Engine::estimate_errors() {
         std::any_of(scene_.stages.begin(), scene_.stages.end(), [](const scene::Stage& stage) {
             return stage.until != scene::Until::duration;
         });
-    return measure_errors(result_.totals, before ? &*before : nullptr, seen.last_step_s(),
-                          seen.time_error_s(chosen_method(scene_).order),
-                          wants_rest ? seen.missing_time_s(run_.state.time_s) : k_unknown);
+    const MethodRow& method = chosen_method(scene_);
+    std::vector<MeasureError> errors =
+        measure_errors(result_.totals, before ? &*before : nullptr, seen.last_step_s(),
+                       seen.time_error_s(method.order),
+                       wants_rest ? seen.missing_time_s(run_.state.time_s) : k_unknown);
+    for (MeasureError& error : errors)
+        error.halves_time = advice_on_time_steps(method, has_fixed_steps(scene_));
+    return errors;
 }
 
 std::optional<Totals> Engine::totals_moved_by(std::span<const Vec3> displacement_um) {

@@ -1,5 +1,7 @@
 #include "engine/run/error_estimate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,10 +47,24 @@ std::string MeasureError::advice() const {
     if (largest < 0.0) return "";
     if (largest == size(mesh)) return "mesh: a finer mesh (cells.nodes) divides it by 4";
     if (largest == size(rest)) return "not at rest: a longer relaxation halves it";
-    return "time steps: half of method.dt where they are fixed, a quarter of method.tolerance "
-           "where they "
-           "adapt, halves it; linearly_implicit is late with any step while contacts grow "
-           "(rosenbrock_w and rkc are not)";
+    return "time steps" + (halves_time.empty() ? "" : ": " + halves_time);
+}
+
+std::string advice_on_time_steps(const MethodRow& method, bool are_fixed) {
+    if (!method.moves_in_time()) return "";
+    const double shorter = std::pow(0.5, 1.0 / method.order);
+    if (are_fixed) return fmt::format("{:.2g} times method.dt halves it", shorter);
+    std::string text =
+        fmt::format("{:.2g} times method.tolerance with {:.2g} times method.displacement_bound "
+                    "and method.dt_max halves it",
+                    std::pow(shorter, method.estimate_order), shorter);
+    // Its K is not the derivative of a force that grows with the contact (engine/README.md, 'How
+    // wrong'), so the error there falls more slowly than its order says.
+    if (method.order == 1 && method.needs_stiffness)
+        text += fmt::format("; while contacts grow {} is late with any step (methods of second "
+                            "order are not)",
+                            method.name);
+    return text;
 }
 
 std::span<const std::string_view> estimated_measures() { return k_measures; }

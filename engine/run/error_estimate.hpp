@@ -2,10 +2,12 @@
 
 #include "engine/measures/totals.hpp"
 #include "engine/model/state.hpp"
+#include "engine/solve/method.hpp"
 
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spheroscope {
@@ -19,6 +21,7 @@ struct MeasureError {
     double rest = std::numeric_limits<double>::quiet_NaN();  ///< by ending before rest
     double mesh = std::numeric_limits<double>::quiet_NaN();  ///< by the finite mesh, if asked for
     bool time_is_measured = false;  ///< `time` is from a second run, else a guess
+    std::string halves_time;        ///< advice_on_time_steps of the run's method
 
     /// Root of the sum of the squares of those that are known; NaN if none is.
     [[nodiscard]] double total() const;
@@ -27,6 +30,11 @@ struct MeasureError {
     /// The largest part, and what would halve it, in words; "" if no part is known.
     [[nodiscard]] std::string advice() const;
 };
+
+/// What halves the error by the finite steps of this method: its order says how much shorter they
+/// must be, the order of its error estimate how much less the tolerance. "" where there is no such
+/// error.
+[[nodiscard]] std::string advice_on_time_steps(const MethodRow& method, bool are_fixed);
 
 /// The rows of the table of totals that error estimates are made for.
 [[nodiscard]] std::span<const std::string_view> estimated_measures();

@@ -1,6 +1,7 @@
 #include "engine/scene/keys.hpp"
 
 #include "engine/scene/keys_access.hpp"
+#include "engine/scene/picture_size.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,9 +45,11 @@ constexpr Bound half_turn{[](double x) { return x > 0.0 && x < 3.14159; }, "betw
 constexpr Bound strain{[](double x) { return x > -0.5 && x <= 1.0; }, "above -0.5, at most 1"};
 constexpr Bound packing{[](double x) { return x >= 0.1 && x <= 0.64; },
                         "0.1 ... 0.64 (random close packing)"};
-constexpr Bound pixels{
-    [](double x) { return x >= 64.0 && x <= 4096.0 && std::fmod(x, 2.0) == 0.0; },
-    "even numbers in 64 ... 4096, as movies need them"};
+constexpr Bound pixels{[](double x) {
+                           return x >= k_smallest_side_px && x <= k_largest_side_px &&
+                                  std::fmod(x, 2.0) == 0.0;
+                       },
+                       "even numbers in 64 ... 4096, as movies need them"};
 constexpr Bound elevation{[](double x) { return std::abs(x) <= 90.0; }, "-90 ... 90 deg"};
 constexpr Bound frame_rate{[](double x) { return x >= 1.0 && x <= 240.0; }, "1 ... 240"};
 

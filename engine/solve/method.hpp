@@ -59,7 +59,7 @@ class Method {
 struct MethodRow {
     std::string_view name;    ///< in scenes: method.name
     int order;                ///< of the error in time; 0: none, its motion is not a motion in time
-    bool adaptive;            ///< chooses its steps by its error estimate
+    int estimate_order;       ///< power of dt by which its error estimate grows; 0: fixed steps
     int stages;               ///< force evaluations of a step; 0: as many as its length asks for
     bool needs_stiffness;     ///< solves with (Gamma + dt K)
     bool holds_exact_volume;  ///< can keep V = V* (controller = "exact")
@@ -67,6 +67,8 @@ struct MethodRow {
     std::string_view description;
     std::unique_ptr<Method> (*make)(const MethodParameters&);
 
+    /// Chooses its steps by its error estimate.
+    [[nodiscard]] bool adaptive() const { return estimate_order > 0; }
     /// Its states are states of the motion at their times; else only its end means something.
     [[nodiscard]] bool moves_in_time() const { return order > 0; }
 };

@@ -10,19 +10,19 @@
 namespace spheroscope {
 
 std::span<const MethodRow> all_methods() {
-    // Columns: name, order, adaptive, stages, needs stiffness, holds exact volume,
+    // Columns: name, order, order of the estimate, stages, needs stiffness, holds exact volume,
     // moves probe.
     static constexpr std::array<MethodRow, 5> rows{{
-        {"forward_euler", 1, false, 1, false, false, false,
-         "the paper's method: explicit, fixed step", make_forward_euler},
-        {"linearly_implicit", 1, true, 1, true, true, true,
+        {"forward_euler", 1, 0, 1, false, false, false, "the paper's method: explicit, fixed step",
+         make_forward_euler},
+        {"linearly_implicit", 1, 2, 1, true, true, true,
          "(Gamma + dt K) v = F with an adaptive step: the work-horse", make_linearly_implicit},
-        {"rosenbrock_w", 2, true, 2, true, false, false,
+        {"rosenbrock_w", 2, 2, 2, true, false, false,
          "two linearly implicit stages, second order, for accuracy in time", make_rosenbrock_w},
-        {"rkc", 2, true, 0, false, false, false,
+        {"rkc", 2, 3, 0, false, false, false,
          "explicit Runge-Kutta-Chebyshev, second order, as many stages as stability asks for",
          make_rkc},
-        {"equilibrium", 0, true, 1, true, true, true,
+        {"equilibrium", 0, 2, 1, true, true, true,
          "end states only: linearly implicit steps that grow without regard to the time in between",
          make_equilibrium},
     }};

@@ -69,6 +69,10 @@ std::string_view part_of(const Field& field) {
     return "";
 }
 
+bool has_fixed_steps(const scene::Scene& scene) {
+    return scene.method.tolerance_um == 0.0 || !chosen_method(scene).adaptive();
+}
+
 std::vector<const Field*> chosen_fields(const scene::Scene& scene) {
     std::vector<const Field*> fields;
     for (const std::string& name : scene.measures.fields) {

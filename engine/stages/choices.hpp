@@ -13,6 +13,9 @@ namespace spheroscope {
 /// The row that method.name names. Throws Error with the names that exist.
 [[nodiscard]] const MethodRow& chosen_method(const scene::Scene& scene);
 
+/// Its steps are all of method.dt, not chosen by an error estimate.
+[[nodiscard]] bool has_fixed_steps(const scene::Scene& scene);
+
 /// The rows that measures.fields names, in its order. Throws Error for a name that does not exist,
 /// or for a field whose part of the model the scene does not have.
 [[nodiscard]] std::vector<const Field*> chosen_fields(const scene::Scene& scene);

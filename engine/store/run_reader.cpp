@@ -101,7 +101,9 @@ RunEnd read_end(const File& file) {
              file.double_attribute(group, "value"), file.double_attribute(group, "time"),
              file.double_attribute(group, "rest"), file.double_attribute(group, "mesh"),
              file.has_attribute(group, "time_is_measured") &&
-                 file.int_attribute(group, "time_is_measured") != 0});
+                 file.int_attribute(group, "time_is_measured") != 0,
+             file.has_attribute(group, "halves_time") ? file.text_attribute(group, "halves_time")
+                                                      : ""});
     }
     return end;
 }

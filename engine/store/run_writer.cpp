@@ -31,6 +31,7 @@ void write_end(File& file, const RunEnd& end) {
         file.write_attribute(group, "time", error.time);
         file.write_attribute(group, "time_is_measured",
                              std::int64_t{error.time_is_measured ? 1 : 0});
+        file.write_attribute(group, "halves_time", error.halves_time);
         file.write_attribute(group, "rest", error.rest);
         file.write_attribute(group, "mesh", error.mesh);
     }

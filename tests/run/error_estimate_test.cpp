@@ -80,11 +80,26 @@ TEST(MeasureError, AddsItsPartsSaysWhatWouldHalveTheLargestAndWhenNothingIsResol
     EXPECT_FALSE(error.is_resolved());
     EXPECT_NE(error.advice().find("mesh"), std::string::npos);
     error.time = 20.0;
-    EXPECT_NE(error.advice().find("a quarter of method.tolerance"), std::string::npos);
+    error.halves_time = "half";
+    EXPECT_EQ(error.advice(), "time steps: half");
     const MeasureError unknown{"energy", "fJ", 1.0};
     EXPECT_TRUE(std::isnan(unknown.total()));
     EXPECT_TRUE(unknown.is_resolved());
     EXPECT_EQ(unknown.advice(), "");
+}
+
+TEST(TimeError, IsHalvedByWhatTheOrdersOfTheMethodSay) {
+    const auto advice = [](const char* method, bool are_fixed) {
+        return advice_on_time_steps(*find_method(method), are_fixed);
+    };
+    EXPECT_EQ(advice("forward_euler", true), "0.5 times method.dt halves it");
+    EXPECT_EQ(advice("rosenbrock_w", true), "0.71 times method.dt halves it");
+    EXPECT_EQ(advice("equilibrium", false), "");
+    EXPECT_TRUE(advice("linearly_implicit", false).starts_with("0.25 times method.tolerance"));
+    EXPECT_TRUE(advice("rosenbrock_w", false).starts_with("0.5 times method.tolerance"));
+    EXPECT_TRUE(advice("rkc", false).starts_with("0.35 times method.tolerance"));
+    EXPECT_NE(advice("linearly_implicit", false).find("late"), std::string::npos);
+    EXPECT_EQ(advice("rkc", false).find("late"), std::string::npos);
 }
 
 TEST(TimeError, OfASecondRunIsRichardsons) {

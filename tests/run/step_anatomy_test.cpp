@@ -27,7 +27,7 @@ class StepAnatomyOf : public testing::TestWithParam<std::string_view> {
         MethodParameters parameters;
         parameters.dt_s = 2e-3;
         parameters.linear_tolerance = 1e-5;
-        if (find_method(GetParam())->adaptive) parameters.tolerance_um = 2e-3;
+        if (find_method(GetParam())->adaptive()) parameters.tolerance_um = 2e-3;
         return find_method(GetParam())->make(parameters);
     }
 };

@@ -22,7 +22,7 @@ class Determinism : public testing::TestWithParam<std::string_view> {
     std::uint64_t hash_after_run(System& system, int n_steps = 20) {
         MethodParameters parameters;
         parameters.dt_s = 2e-3;
-        if (find_method(GetParam())->adaptive) parameters.tolerance_um = 2e-3;
+        if (find_method(GetParam())->adaptive()) parameters.tolerance_um = 2e-3;
         const auto method = find_method(GetParam())->make(parameters);
         State state = state_at(cells.model, cells.x_um);
         for (int step = 0; step < n_steps; ++step)

@@ -159,7 +159,7 @@ TEST_P(AdaptiveStep, ThatIsAcceptedMeetsItsTolerance) {
 INSTANTIATE_TEST_SUITE_P(Adaptive, AdaptiveStep, testing::ValuesIn([] {
                              std::vector<std::string_view> names;
                              for (const MethodRow& row : all_methods())
-                                 if (row.adaptive && row.order > 0) names.push_back(row.name);
+                                 if (row.adaptive() && row.order > 0) names.push_back(row.name);
                              return names;
                          }()),
                          [](const auto& tested) { return std::string(tested.param); });

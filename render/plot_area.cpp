@@ -1,0 +1,99 @@
+#include "render/plot_area.hpp"
+
+#include "render/colour_maps.hpp"
+
+#include <vtkAxis.h>
+#include <vtkChartXY.h>
+#include <vtkPen.h>
+#include <vtkPlotLine.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace spheroscope::render {
+namespace {
+
+constexpr std::array<int, 5> k_markers{vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE,
+                                       vtkPlotPoints::DIAMOND, vtkPlotPoints::CROSS,
+                                       vtkPlotPoints::PLUS};
+
+/// Ends of the axis for what is beyond them.
+double along(const AxisRange& range, double value, int low_px, int high_px) {
+    const bool is_below = range.is_logarithmic && value <= 0.0;
+    const double share =
+        is_below ? 0.0 : (range.place(value) - range.low) / (range.high - range.low);
+    return low_px + std::clamp(share, 0.0, 1.0) * (high_px - low_px);
+}
+
+}  // namespace
+
+double PlotArea::x(double value) const {
+    return along(x_range, value, chart->GetPoint1()[0], chart->GetPoint2()[0]);
+}
+double PlotArea::y(double value) const {
+    return along(y_range, value, chart->GetPoint1()[1], chart->GetPoint2()[1]);
+}
+double PlotArea::left() const { return chart->GetPoint1()[0]; }
+double PlotArea::right() const { return chart->GetPoint2()[0]; }
+double PlotArea::top() const { return chart->GetPoint2()[1]; }
+double PlotArea::bottom() const { return chart->GetPoint1()[1]; }
+
+PlotArea area_of(const reports::Plot::Panel& panel, vtkChartXY* chart) {
+    reports::Plot::Axis x_axis = panel.x_axis, y_axis = panel.y_axis;
+    if (panel.map) {
+        x_axis.categories = panel.map->x_labels;
+        y_axis.categories = panel.map->y_labels;
+    }
+    PlotArea area{chart, AxisRange(x_axis), AxisRange(y_axis)};
+    for (const reports::Plot::Series& series : panel.series)
+        for (std::size_t i = 0; i < series.x.size(); ++i) {
+            area.x_range.include(series.x[i]);
+            area.y_range.include(series.y[i]);
+            if (i < series.error.size() && std::isfinite(series.error[i])) {
+                area.y_range.include(series.y[i] - series.error[i]);
+                area.y_range.include(series.y[i] + series.error[i]);
+            }
+        }
+    for (const reports::Plot::Band& band : panel.bands) {
+        area.y_range.include(band.low);
+        area.y_range.include(band.high);
+    }
+    if (x_axis.categories.empty()) area.x_range.widen();
+    if (y_axis.categories.empty()) area.y_range.widen();
+    set_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x_title, area.x_range, x_axis.categories);
+    set_axis(chart->GetAxis(vtkAxis::LEFT), panel.y_title, area.y_range, y_axis.categories);
+    return area;
+}
+
+PlotStyles::PlotStyles(const reports::Plot& plot) {
+    for (const reports::Plot::Panel& panel : plot.panels)
+        for (const reports::Plot::Series& series : panel.series)
+            if (series.colour_of.empty() && numbers_.emplace(series.name, numbers_.size()).second)
+                names_.push_back(series.name);
+}
+
+Rgb PlotStyles::colour(const std::string& name) const {
+    return k_distinct_colours[numbers_.at(name) % k_distinct_colours.size()];
+}
+
+Rgb PlotStyles::colour(const reports::Plot::Series& series) const {
+    return colour(series.colour_of.empty() ? series.name : series.colour_of);
+}
+
+void PlotStyles::apply(const reports::Plot::Series& series, vtkPlotLine* line) const {
+    const Rgb c = colour(series);
+    line->SetColor(c.r, c.g, c.b, 255);
+    line->SetWidth(2.0F);
+    line->GetPen()->SetLineType(series.line == reports::Plot::Line::full     ? vtkPen::SOLID_LINE
+                                : series.line == reports::Plot::Line::dashed ? vtkPen::DASH_LINE
+                                                                             : vtkPen::NO_PEN);
+    line->SetMarkerStyle(series.has_marks && series.colour_of.empty()
+                             ? k_markers[numbers_.at(series.name) % k_markers.size()]
+                             : static_cast<int>(vtkPlotPoints::NONE));
+    line->SetMarkerSize(9.0F);
+    line->SetLabel(series.name);
+    line->SetLegendVisibility(series.colour_of.empty());
+}
+
+}  // namespace spheroscope::render
