@@ -1,7 +1,7 @@
 #include "render/plot_marks.hpp"
 
 #include "render/colour_maps.hpp"
-#include "render/plot_axes.hpp"
+#include "render/line_chart.hpp"
 #include "render/plot_ink.hpp"
 
 #include <vtkContext2D.h>

@@ -21,7 +21,7 @@ struct MeasureError {
     double rest = std::numeric_limits<double>::quiet_NaN();  ///< by ending before rest
     double mesh = std::numeric_limits<double>::quiet_NaN();  ///< by the finite mesh, if asked for
     bool time_is_measured = false;  ///< `time` is from a second run, else a guess
-    std::string halves_time;        ///< advice_on_time_steps of the run's method
+    std::string halves_time = "";   ///< advice_on_time_steps of the run's method
 
     /// Root of the sum of the squares of those that are known; NaN if none is.
     [[nodiscard]] double total() const;
