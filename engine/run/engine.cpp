@@ -250,6 +250,8 @@ Engine::Next Engine::advance(const scene::Stage parameters) {
     if (!run_.stage_has_begun) {
         refine_to(parameters.nodes);
         run_.memory.start_s = run_.state.time_s;
+        // A relaxation after another one on the same mesh goes on looking at the same motion.
+        if (!goes_on_relaxing()) run_.memory.samples.clear();
         StageContext context{*system_, run_.state, run_.memory};
         stage->begin(context);
         run_.stage_has_begun = true;
@@ -292,7 +294,7 @@ Engine::Next Engine::advance(const scene::Stage parameters) {
             if (run_.state.time_s >= output_s) ++run_.outputs_in_stage;
             const Totals totals = measure();
             run_.errors.after_measurement(run_.state.time_s, run_.state.v_um_per_s);
-            if (end == StageEnd::none || end == StageEnd::cap) {
+            if (end == StageEnd::none || end == StageEnd::cap || end == StageEnd::done) {
                 const StageEnd met = stage->after_measure(context, totals);
                 if (met != StageEnd::none) end = met;
             }
@@ -331,18 +333,20 @@ Engine::Next Engine::stop_unstable(double dt_s, const Trouble& trouble) {
 }
 
 void Engine::finish_stage(StageEnd end) {
-    // A relaxation of fixed duration does not look for rest: what the one before has found stands,
-    // on the same mesh.
-    const scene::Stage& stage = scene_.stages[idx(run_.stage)];
-    const bool says_nothing = end == StageEnd::done && stage.kind == scene::StageKind::relax &&
-                              (run_.end == StageEnd::rest || run_.end == StageEnd::stationary) &&
-                              stage.nodes == scene_.stages[idx(run_.stage - 1)].nodes;
-    if (!says_nothing) run_.end = end;
+    run_.end = end;
     if (end == StageEnd::cap) run_.met_cap = true;
     ++run_.stage;
     run_.stage_has_begun = false;
     run_.outputs_in_stage = 0;
     write_checkpoint();
+}
+
+bool Engine::goes_on_relaxing() const {
+    if (run_.stage == 0) return false;
+    const scene::Stage &stage = scene_.stages[idx(run_.stage)],
+                       &before = scene_.stages[idx(run_.stage - 1)];
+    return stage.kind == scene::StageKind::relax && before.kind == scene::StageKind::relax &&
+           stage.nodes == before.nodes;
 }
 
 std::vector<MeasureError> Engine::estimate_errors() {

@@ -118,7 +118,9 @@ class Engine {
     [[nodiscard]] bool watcher_goes_on(const std::function<double()>& next_limit_s);
     /// Ends the run with its reason.
     [[nodiscard]] Next stop_unstable(double dt_s, const Trouble& trouble);
+    /// What is said of the end of a run is what the last stage has found at its own end.
     void finish_stage(StageEnd end);
+    [[nodiscard]] bool goes_on_relaxing() const;
     [[nodiscard]] std::vector<MeasureError> estimate_errors();
     /// Measures of the end state moved by this displacement [all nodes]; empty if there is none.
     [[nodiscard]] std::optional<Totals> totals_moved_by(std::span<const Vec3> displacement_um);

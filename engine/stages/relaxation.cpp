@@ -22,12 +22,6 @@ bool is_steady(double before, double now, double size) {
 
 }  // namespace
 
-void Relaxation::begin(StageContext& context) const {
-    // After another relaxation the motion simply goes on, with the steps that it had; where a wall
-    // went away, that stage has said so.
-    context.memory.samples.clear();
-}
-
 double Relaxation::latest_end_s(const StageContext& context) const {
     return context.memory.start_s + (parameters_.until == scene::Until::duration
                                          ? parameters_.duration_s
@@ -40,7 +34,6 @@ StageEnd Relaxation::after_step(StageContext& context) const {
 }
 
 StageEnd Relaxation::after_measure(StageContext& context, const Totals& totals) const {
-    if (parameters_.until == scene::Until::duration) return StageEnd::none;
     std::vector<double>& samples = context.memory.samples;
     const std::array<double, k_row> row{context.state.time_s, totals.sigma_h_core_kPa,
                                         totals.coordination_Z, totals.contact_fraction};
@@ -49,11 +42,12 @@ StageEnd Relaxation::after_measure(StageContext& context, const Totals& totals) 
     while (samples.size() > 2 * k_row &&
            samples[k_row] <= context.state.time_s - k_window_s * (1.0 - 1e-9))
         samples.erase(samples.begin(), samples.begin() + k_row);
+    const bool is_timed = parameters_.until == scene::Until::duration;
+    if (is_timed && context.state.time_s < latest_end_s(context)) return StageEnd::none;
     if (context.state.time_s - samples[0] < k_window_s * (1.0 - 1e-9)) return StageEnd::none;
 
-    // The core's mean is a difference of cells under tension and compression; where it nearly
-    // cancels, 0.5 % of itself is below what any cell's stress can be steady to. Then the mean
-    // |sigma_h| is its size.
+    // Where the core's mean nearly cancels, 0.5 % of it is below what any cell's stress can be
+    // steady to.
     const double core_size = std::fmax(std::abs(totals.sigma_h_core_kPa), totals.sigma_h_size_kPa);
     if (!is_steady(samples[1], row[1], core_size) ||
         !is_steady(samples[2], row[2], std::abs(row[2])) ||
@@ -67,7 +61,10 @@ StageEnd Relaxation::after_measure(StageContext& context, const Totals& totals) 
         !no_stress)
         return StageEnd::none;
     if (totals.normal_speed_rms_um_per_s < k_rest_speed_um_per_s) return StageEnd::rest;
-    return parameters_.until == scene::Until::stationary ? StageEnd::stationary : StageEnd::none;
+    const bool has_measures = !std::isnan(row[1]) || !std::isnan(row[2]) || !std::isnan(row[3]);
+    return parameters_.until == scene::Until::stationary || (is_timed && has_measures)
+               ? StageEnd::stationary
+               : StageEnd::none;
 }
 
 double Relaxation::progress(const StageContext& context) const {

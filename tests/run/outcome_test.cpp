@@ -1,4 +1,4 @@
-// What a run says of its end: a relaxation of fixed duration keeps what the one before it found.
+// What a run says of its end: what is true there, whatever was found on the way.
 #include "engine/run/engine.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ const std::string k_to_rest =
     "[[stage]]\nkind = \"relax\"\nnodes = 42\nuntil = \"rest\"\ncap = \"60 s\"\nevery = \"2 s\"\n";
 const std::string k_for_a_second = "[[stage]]\nkind = \"relax\"\nduration = \"1 s\"\n";
 
-TEST(Outcome, OfARelaxationForATimeIsWhatTheOneBeforeHasFound) {
+TEST(Outcome, OfARelaxationForATimeIsWhatHoldsAtItsEnd) {
     EXPECT_EQ(drop_with("42", k_to_rest).outcome, "rest");
     EXPECT_EQ(drop_with("42", k_to_rest + k_for_a_second).outcome, "rest");
     EXPECT_EQ(drop_with("42", k_for_a_second).outcome, "done");
