@@ -2,6 +2,7 @@
 #include "engine/cli/options.hpp"
 #include "engine/cli/verb.hpp"
 #include "engine/run/expectations.hpp"
+#include "engine/scene/key_text.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/stages/build.hpp"
 #include "engine/stages/choices.hpp"
@@ -92,6 +93,23 @@ nlohmann::json describe(const std::string& path, const Error& error) {
             {"error", error.what()}};
 }
 
+/// What the scene has chosen where the paper leaves a choice, whether it says so or not, and what
+/// adhesion that gives; "" without contacts.
+std::string contact_choices(const scene::Scene& scene) {
+    if (!scene.contact) return "";
+    scene::Draft draft;
+    draft.scene = scene;
+    std::string text = "  contact:";
+    for (const scene::Key& key : scene::all_keys()) {
+        const bool is_choice =
+            key.table == "contact" &&
+            (key.name == "law" || key.name == "reject_cos" || key.name == "omega_reading");
+        if (is_choice && (key.applies.holds == nullptr || key.applies.holds(draft, 0)))
+            text += fmt::format(" {} = {},", key.name, scene::value_text(draft, key, 0));
+    }
+    return text + fmt::format(" W = {:.4g} nN/um\n", scene.contact->W_nN_per_um);
+}
+
 /// "scenes/a.toml: valid. A drop at rest: 1 cell, 642 nodes per cell, 1 stage"
 std::string summary(const scene::Scene& scene) {
     const auto counted = [](std::size_t n, const char* thing) {
@@ -124,7 +142,7 @@ ExitCode check(const CheckArguments& arguments) {
         else if (arguments.explain)
             fmt::print("{}", table_text(explain(scene)));
         else
-            fmt::print("{}\n", summary(scene));
+            fmt::print("{}\n{}", summary(scene), contact_choices(scene));
         return ExitCode::ok;
     } catch (const Error& error) {
         // whoever reads the JSON gets the verdict there, and the message on stderr like everybody
