@@ -34,6 +34,24 @@ key = "cortex.elastic.E"
 values = ["20 kPa", "-1 kPa"]
 """
 
+AXES_TEXT = f"""
+scene = "{(ROOT / "scenes" / "tour" / "first_light.toml").as_posix()}"
+output = "out"
+seeds = [1]
+threads = 1
+set = ["cells.nodes=42", "stage[0].frames=2", "stage[0].packing_fraction=0.3"]
+
+[[axis]]
+name = "N"
+key = "cells.count"
+values = [6, 8]
+
+[[axis]]
+name = "law"
+key = "contact.law"
+values = ["traction", "variational"]
+"""
+
 
 class InFolder(unittest.TestCase):
     def setUp(self):
@@ -57,6 +75,14 @@ class Reading(InFolder):
         grid = sweeps.read(ROOT / "scenes" / "sweeps" / "paper_grid.sweep")
         self.assertEqual(len(grid.runs), 5 * 6 * 5)
 
+    def test_any_key_of_a_scene_can_be_an_axis(self):
+        sweep = sweeps.read(self.file("s.toml", AXES_TEXT))
+        self.assertEqual([run.name for run in sweep.runs],
+                         ["N=6,law=traction/seed=1", "N=6,law=variational/seed=1",
+                          "N=8,law=traction/seed=1", "N=8,law=variational/seed=1"])
+        self.assertEqual(sweep.runs[3].settings[-2:], ("cells.count=8", "contact.law=variational"))
+        self.assertTrue(sweep.figures)
+
     def test_the_reason_is_the_message_or_what_was_missed(self):
         missed = {"outcome": "cap", "expectations": [
             {"measure": "virial_defect", "value": 0.0123, "met": False},
@@ -77,6 +103,8 @@ class Reading(InFolder):
             (TEXT.replace("seeds", "seed"), "wanted 'seeds'"),
             (TEXT + "nonsense = 1\n", "no key 'nonsense'"),
             (TEXT.replace("[1, 2]", "[-1]"), "'seeds' wants whole numbers"),
+            (TEXT.replace("[1, 2]", "[]"), "'seeds' wants whole numbers"),
+            (TEXT.replace('["20 kPa", "-1 kPa"]', "[]"), "'values' wants different values"),
             (TEXT.replace("ball_13", "ball_14"), "not there"),
             (TEXT.replace('"20 kPa", "-1 kPa"', '"1", "1"'), "different values"),
             (TEXT.replace("threads = 1", 'threads = "two"'), "'threads' wants int"),
@@ -102,7 +130,8 @@ class Running(InFolder):
         failed = sweeps.write_table(sweep, [self.folder / "status.json"] * 4, self.folder / "t.csv")
         self.assertEqual(len(failed), 4)
         self.assertIn("not converged: cell 3, edge 7", failed[0])
-        rows = list(csv.DictReader(open(self.folder / "t.csv")))
+        with open(self.folder / "t.csv") as file:
+            rows = list(csv.DictReader(file))
         self.assertEqual([row["reason"] for row in rows], ["cell 3, edge 7"] * 4)
 
     def test_what_the_machine_did_is_no_result(self):
@@ -152,6 +181,29 @@ class ThroughSnakemake(InFolder):
         self.assertEqual(self.call("--cores", "1").returncode, 0)
         self.assertTrue(lost.exists())
         self.assertEqual(kept.stat().st_mtime_ns, before)
+
+    def test_numbers_of_cells_and_laws_of_contact_are_swept_and_drawn(self):
+        # first light until its compaction, for seconds
+        scene = (ROOT / "scenes" / "tour" / "first_light.toml").read_text()
+        until = scene.index('[[stage]]\nkind = "hold"')
+        short = scene[:until].replace("5 s", "0.5 s")
+        short_scene = self.file("short.toml", short)
+        self.sweep.write_text(AXES_TEXT.replace(
+            (ROOT / "scenes" / "tour" / "first_light.toml").as_posix(), short_scene.as_posix()))
+        done = self.call("--cores", "1")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("4 of 4 runs finished", done.stdout)
+        rows = self.rows()
+        self.assertEqual([(row["N"], row["law"]) for row in rows],
+                         [("6", "traction"), ("6", "variational"),
+                          ("8", "traction"), ("8", "variational")])
+        # the law is that of the run and not a name alone
+        self.assertNotEqual(rows[0]["contact_fraction"], rows[1]["contact_fraction"])
+        figures = self.folder / "out" / "figures"
+        self.assertGreater((figures / "fig3.png").stat().st_size, 10000)
+        with open(figures / "numbers.csv") as file:
+            numbers = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        self.assertEqual(len({row["setup"] for row in numbers}), 4)
 
     def test_the_profile_for_slurm_sends_every_run_as_a_job(self):
         stubs = self.folder / "stubs"
