@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 #include <numbers>
 
 namespace spheroscope::test {
@@ -62,7 +63,9 @@ TEST(RigidSpheres, RepelByDerjaguinsIntegral) {
     for (const double overlap_um : {0.6, 0.9, 1.2}) {
         const double force_nN = mean_force_nN(642, overlap_um, law, 6);
         EXPECT_NEAR(force_nN / expected_force_nN(overlap_um, law), 1.0, 0.01) << overlap_um;
-        EXPECT_NEAR(force_nN / derjaguin_nN(overlap_um, law), 1.0, 0.05) << overlap_um;
+        // Of Derjaguin's own force C-18 asks for 2 %: at 0.6 um it is 3 % below, by the strips.
+        EXPECT_NEAR(force_nN / derjaguin_nN(overlap_um, law), 1.0, overlap_um < 0.7 ? 0.035 : 0.02)
+            << overlap_um;
     }
 }
 
@@ -74,7 +77,7 @@ TEST(RigidSpheres, PullWithDerjaguinsForceLessTheStripsBetweenThePolygons) {
         EXPECT_NEAR(force_nN / expected_force_nN(overlap_um, law), 1.0, 0.015) << overlap_um;
     }
     // Largest where P vanishes on the axis, -pi R' W up to terms of h0/R: 2/3 of 2 h0/R for the
-    // strips and a third of that for the curvature.
+    // strips and a third of that for the curvature. C-18 asks for 3 %; it is 6.4 % below.
     const double deepest_nN = mean_force_nN(642, 0.6, law, 6);
     EXPECT_LT(deepest_nN, mean_force_nN(642, 0.4, law, 6));
     EXPECT_LT(deepest_nN, mean_force_nN(642, 0.8, law, 6));
@@ -87,8 +90,11 @@ TEST(RigidSpheres, ConvergeWithTheMesh) {
     const auto error = [&](int n_nodes) {
         return std::abs(mean_force_nN(n_nodes, 0.9, law, 6) / expected_force_nN(0.9, law) - 1.0);
     };
-    // Edges half as long; error of order d^2.
-    EXPECT_LT(error(642), 0.5 * error(42));
+    // Edges half as long: order 3/2 at least.
+    const double coarse = error(162), fine = error(642);
+    std::cout << "errors of the force: " << coarse << " at 162 nodes, " << fine << " at 642, "
+              << error(2562) << " at 2562\n";
+    EXPECT_LT(fine, coarse / std::pow(2.0, 1.5));
     EXPECT_LT(error(2562), 0.005);
 }
 
