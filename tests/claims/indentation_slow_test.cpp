@@ -18,6 +18,10 @@ TEST(UnderTheBead, ForcesOfBeadHullAndCellsSumToZero) {
     EXPECT_NEAR(totals.hull_force_nN, 15.0, 0.03);
     EXPECT_LT(totals.load_imbalance, 1e-3);
     EXPECT_LT(totals.volume_error, 1e-3);
+    // sigma_h is of the forces between cells, as printed. The bead and its hull press from outside,
+    // so its sum over the volume is no zero but pressure: half of the sum of its sizes here.
+    EXPECT_GT(totals.virial_defect, 0.1);
+    EXPECT_LT(totals.sigma_h_mean_kPa, 0.0);
     for (const Expectation& expectation : check_expectations(run.scene, totals))
         EXPECT_TRUE(expectation.met) << expectation.measure << " = " << expectation.value;
 
