@@ -74,6 +74,22 @@ TEST_P(Determinism, ADifferenceInTheLastBitOfOneCoordinateChangesTheHash) {
     EXPECT_NE(hash_after_run(system), first);
 }
 
+TEST_P(Determinism, SameBitsWithTheVariationalLaw) {
+    cells = make_doublet(42, 7, 5.0, 5.5, 0.3, 0.05);
+    PartValues variational = values();
+    variational.contact->form = ContactForm::variational;
+    constexpr int n_steps = 5;
+    System alone(cells.model, make_parts(variational), 1);
+    const std::uint64_t expected = hash_after_run(alone, n_steps);
+    for (const int n_threads : {2, 3}) {
+        System system(cells.model, make_parts(variational), n_threads);
+        EXPECT_EQ(hash_after_run(system, n_steps), expected) << n_threads << " threads";
+        EXPECT_EQ(members_with_work(system), 2) << "two cells";
+    }
+    System traction(cells.model, make_parts(values()), 1);
+    EXPECT_NE(hash_after_run(traction, n_steps), expected) << "another law";
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, Determinism, testing::ValuesIn([] {
                              std::vector<std::string_view> names;
                              for (const MethodRow& row : all_methods()) names.push_back(row.name);

@@ -130,6 +130,20 @@ TEST(Work, OfTheImplicitMethodIsOneStiffnessAndOneSolvePerStep) {
     EXPECT_EQ(work.direct_solves, 0);
 }
 
+TEST(Work, OfAStepIsAsManyForceEvaluationsAsTheTableOfMethodsSays) {
+    const Cluster doublet = make_doublet(42, 3, 5.0, 5.0, 0.2);
+    int n_fixed = 0;
+    for (const MethodRow& method : all_methods()) {
+        if (method.stages == 0) continue;
+        ++n_fixed;
+        const std::string name(method.name);
+        EXPECT_EQ(work_of(name.c_str(), doublet, case_a_values()).force_evaluations,
+                  method.stages * k_steps)
+            << name;
+    }
+    EXPECT_EQ(n_fixed, 4) << "all but rkc, whose stages depend on the length of its step";
+}
+
 TEST(Work, OfAnEvaluationIsDoneOnceForTheSameConfiguration) {
     const Cluster cells = make_doublet(42, 3, 5.0, 5.0, 0.2);
     PartValues values = case_a_values();
