@@ -1,5 +1,6 @@
 #include "engine/measures/totals.hpp"
 
+#include "engine/contact/penetration.hpp"
 #include "engine/measures/measure_input.hpp"
 #include "engine/measures/pair_forces.hpp"
 
@@ -146,6 +147,11 @@ Totals compute_totals(const MeasureInput& input) {
     return totals;
 }
 
+double compute_deepest_node_um(const Configuration& at, Workers& workers) {
+    const auto found = deepest_penetration(at.model, at.x_um, 0.0, workers);
+    return found ? found->depth_um : 0.0;
+}
+
 std::span<const TotalsRow> all_totals() {
     static const std::array rows{
         TotalsRow{"contact_area", "um^2", "sum of the contact areas, each pair of triangles once",
@@ -204,6 +210,9 @@ std::span<const TotalsRow> all_totals() {
                   &Totals::hull_force_nN},
         TotalsRow{"load_imbalance", "1", "sum of all forces on the cells over the probe's force",
                   &Totals::load_imbalance},
+        TotalsRow{"deepest_node", "um",
+                  "largest depth of a node inside another cell; only where [expect] asks for it",
+                  &Totals::deepest_node_um},
     };
     return rows;
 }

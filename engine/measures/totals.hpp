@@ -6,7 +6,9 @@
 
 namespace spheroscope {
 
+struct Configuration;
 struct MeasureInput;
+class Workers;
 
 /// Numbers of the whole aggregate at one time; NaN where undefined (then shown as 'undefined').
 struct Totals {
@@ -39,6 +41,7 @@ struct Totals {
     double probe_force_nN;
     double hull_force_nN;
     double load_imbalance;
+    double deepest_node_um;
 };
 
 /// One row of the table of totals: the file, `info`, `--json` and [expect] read it.
@@ -54,8 +57,12 @@ struct TotalsRow {
 [[nodiscard]] double value_of(const TotalsRow& row, const Totals& totals);
 
 /// Everything that follows from one configuration. Energy, powers, virial_identity and the
-/// numbers of a load are left undefined: the run knows them. `at.geometry` holds triangles and
-/// volumes.
+/// numbers of a load are left undefined: the run knows them. So is deepest_node_um, which costs
+/// more than all others. `at.geometry` holds triangles and volumes.
 [[nodiscard]] Totals compute_totals(const MeasureInput& input);
+
+/// Largest distance of a node that lies inside another cell from that cell's surface, um; 0 if none
+/// does. Every node in contact may ask all triangles of its neighbour.
+[[nodiscard]] double compute_deepest_node_um(const Configuration& at, Workers& workers);
 
 }  // namespace spheroscope

@@ -6,6 +6,7 @@
 
 #include "engine/contact/simd_target.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
+#include "engine/run/expectations.hpp"
 #include "engine/run/health.hpp"
 #include "engine/run/snapshot_maker.hpp"
 #include "engine/stages/choices.hpp"
@@ -426,6 +427,8 @@ Totals Engine::measure() {
         if (size2 > 0.0) totals.virial_identity = std::sqrt(difference2 / size2);
     }
     if (run_.state.load.probe.acts()) add_load(*system_, run_.state.load, totals);
+    if (is_expected(scene_, "deepest_node"))
+        totals.deepest_node_um = compute_deepest_node_um(at, system_->workers());
     const double energy_fJ = system_->energy_fJ();
     totals.energy_fJ = energy_fJ;
     if (run_.diagnostics.steps > 0) totals.dissipation_nN_um_per_s = run_.dissipation_nN_um_per_s;

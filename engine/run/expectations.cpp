@@ -1,5 +1,7 @@
 #include "engine/run/expectations.hpp"
 
+#include <algorithm>
+
 namespace spheroscope {
 namespace {
 
@@ -12,6 +14,11 @@ const TotalsRow& row_of(const scene::Expect& expect) {
 }
 
 }  // namespace
+
+bool is_expected(const scene::Scene& scene, std::string_view measure) {
+    return std::any_of(scene.expect.begin(), scene.expect.end(),
+                       [&](const scene::Expect& expect) { return expect.measure == measure; });
+}
 
 void check_expectation_names(const scene::Scene& scene) {
     for (const scene::Expect& expect : scene.expect) static_cast<void>(row_of(expect));

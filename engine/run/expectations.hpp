@@ -5,6 +5,7 @@
 #include "engine/scene/scene.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spheroscope {
@@ -23,6 +24,9 @@ struct Expectation {
                                                           const Snapshot& last);
 [[nodiscard]] std::vector<Expectation> check_expectations(const scene::Scene& scene,
                                                           const Totals& at_the_end);
+
+/// [expect] of the scene names this measure.
+[[nodiscard]] bool is_expected(const scene::Scene& scene, std::string_view measure);
 
 /// Throws like check_expectations, before anything has run.
 void check_expectation_names(const scene::Scene& scene);

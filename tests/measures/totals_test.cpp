@@ -186,5 +186,17 @@ TEST(Tables, OfFieldsAndTotalsHaveOneRowForEachName) {
     }
 }
 
+TEST(Totals, TakeTheDeepestNodeFromTheSurfaceOfTheCellThatItIsIn) {
+    Workers workers(1);
+    MadeUpContacts apart({Vec3::Zero(), Vec3(0, 0, 10.5)});
+    EXPECT_EQ(compute_deepest_node_um(apart.at(), workers), 0.0);
+    // Spheres of 5 um that overlap by 2 um; facets of 42 nodes lie up to half a micron below them.
+    MadeUpContacts cells({Vec3::Zero(), Vec3(0, 0, 8)});
+    const double deepest_um = compute_deepest_node_um(cells.at(), workers);
+    EXPECT_GT(deepest_um, 1.0);
+    EXPECT_LT(deepest_um, 2.5);
+    EXPECT_TRUE(std::isnan(totals_of(cells).deepest_node_um)) << "only on demand";
+}
+
 }  // namespace
 }  // namespace spheroscope::test
