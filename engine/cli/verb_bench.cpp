@@ -4,12 +4,14 @@
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/cli/verb.hpp"
+#include "engine/contact/simd_target.hpp"
 #include "engine/reports/engine_bench.hpp"
 #include "engine/reports/machine.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -17,10 +19,18 @@
 namespace spheroscope::cli {
 namespace {
 
+const std::vector<std::string> k_precisions{"float", "double"};
+
+std::string problem_of_precision(const std::string& name) {
+    if (std::find(k_precisions.begin(), k_precisions.end(), name) != k_precisions.end()) return "";
+    return fmt::format("wanted {}, got '{}'", fmt::join(k_precisions, " or "), name);
+}
+
 struct BenchArguments {
     bool quick = false;
     std::optional<int> cells, nodes;  ///< only sizes with these
     int repetitions = 5;
+    std::string precision = k_precisions.front();  ///< of the contact kernel
     CommonOptions common;
 };
 
@@ -155,6 +165,11 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
     const double limit_s = arguments.common.time_limit_s().value_or(0.0);
     const double begin_s = reports::wall_clock_s();
     const std::vector<reports::BenchSize> sizes = chosen_sizes(arguments);
+    if (!arguments.common.simd.empty()) static_cast<void>(use_simd_target(arguments.common.simd));
+    reports::BenchOptions options;
+    options.repetitions = arguments.repetitions;
+    options.precision = arguments.precision == "double" ? scene::Precision::double_precision
+                                                        : scene::Precision::single_precision;
     std::vector<reports::BenchRow> rows;
     bool is_complete = true;
     for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -168,7 +183,7 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
                                      sizes[k].nodes, sizes[k].threads),
                          static_cast<double>(k) / static_cast<double>(sizes.size()), unknown,
                          unknown});
-        rows.push_back(reports::run_bench(sizes[k], arguments.repetitions));
+        rows.push_back(reports::run_bench(sizes[k], options));
     }
     progress.clear();
 
@@ -176,10 +191,13 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
     nlohmann::json document{{"rows", nlohmann::json::array()},
                             {"machine", machine_json(arguments.common, invocation)},
                             {"command", invocation.command_line},
+                            {"simd", simd_target()},
+                            {"precision", arguments.precision},
                             {"complete", is_complete}};
     for (const reports::BenchRow& row : rows) document["rows"].push_back(json_of(row));
-    write_text_file(folder + "/bench.csv",
-                    table.csv_text(report_comments(arguments.common, invocation)));
+    std::vector<std::string> comments = report_comments(arguments.common, invocation);
+    comments.push_back(fmt::format("contact kernel: {}, {}", arguments.precision, simd_target()));
+    write_text_file(folder + "/bench.csv", table.csv_text(comments));
     write_text_file(folder + "/bench.json", document.dump(1) + "\n");
     if (arguments.common.json)
         print_json(document);
@@ -191,23 +209,26 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
 }  // namespace
 
 Verb bench_verb() {
-    return {"bench", "what the parts of a step cost, with the error at that cost",
-            [](CommandLine& command) -> VerbAction {
-                const auto arguments = std::make_shared<BenchArguments>();
-                command.flag("--quick", arguments->quick, "the small sizes only, in seconds");
-                command.option("--cells", arguments->cells, "sizes of so many cells only",
-                               between(1, 1'000'000));
-                command.option("--nodes", arguments->nodes, "sizes of so many nodes a cell only",
-                               between(1, 1'000'000));
-                command.option("--repetitions", arguments->repetitions,
-                               "of every timing; the least counts", between(1, 1000));
-                add_common_options(command, arguments->common,
-                                   {CommonOption::output_folder, CommonOption::json,
-                                    CommonOption::quiet, CommonOption::time_limit});
-                return [arguments](const Invocation& invocation) {
-                    return bench(*arguments, invocation);
-                };
-            }};
+    return {
+        "bench", "what the parts of a step cost, with the error at that cost",
+        [](CommandLine& command) -> VerbAction {
+            const auto arguments = std::make_shared<BenchArguments>();
+            command.flag("--quick", arguments->quick, "the small sizes only, in seconds");
+            command.option("--cells", arguments->cells, "sizes of so many cells only",
+                           between(1, 1'000'000));
+            command.option("--nodes", arguments->nodes, "sizes of so many nodes a cell only",
+                           between(1, 1'000'000));
+            command.option("--repetitions", arguments->repetitions,
+                           "of every timing; the least counts", between(1, 1000));
+            command.option("--precision", arguments->precision,
+                           "of the contact kernel: float or double (default: float)",
+                           {"PRECISION", problem_of_precision});
+            add_common_options(command, arguments->common,
+                               {CommonOption::output_folder, CommonOption::simd, CommonOption::json,
+                                CommonOption::quiet, CommonOption::time_limit});
+            return
+                [arguments](const Invocation& invocation) { return bench(*arguments, invocation); };
+        }};
 }
 
 }  // namespace spheroscope::cli

@@ -10,8 +10,6 @@
 #include "engine/reports/machine.hpp"
 #include "engine/stages/build.hpp"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -72,7 +70,7 @@ std::vector<Vec3> lattice_um(int n_cells, double distance_um) {
     return centres;
 }
 
-scene::Scene scene_of(const BenchSize& size) {
+scene::Scene scene_of(const BenchSize& size, scene::Precision precision) {
     std::string text = k_scene;
     if (size.cells > 1) text += k_contact;
     // one cell has nothing to touch, and a scene with contact wants two
@@ -83,7 +81,9 @@ scene::Scene scene_of(const BenchSize& size) {
                 std::to_string(c.y()) + ", " + std::to_string(c.z()) + ", " +
                 std::to_string(k_radius_um) + "]";
     changes.push_back({"cells.centres", "[" + rows + "]"});
-    return scene::parse_scene(text, "bench", changes);
+    scene::Scene scene = scene::parse_scene(text, "bench", changes);
+    if (scene.contact) scene.contact->precision = precision;
+    return scene;
 }
 
 /// The least of several times of `work`, which gets the number of the repetition.
@@ -180,8 +180,9 @@ void time_solve(System& system, int repetitions, BenchRow& row) {
     row.solve_residual = std::sqrt(residual2 / size2);
 }
 
+/// Raises largest_MB to what is allocated while the method is there.
 BenchStep time_steps(const scene::Scene& scene, const MethodRow& method, System& system,
-                     std::span<const Vec3> x_um) {
+                     std::span<const Vec3> x_um, double& largest_MB) {
     BenchStep result;
     result.method = method.name;
     State state;
@@ -204,6 +205,7 @@ BenchStep time_steps(const scene::Scene& scene, const MethodRow& method, System&
     result.time.wall_ms /= k_steps;
     result.time.cpu_ms /= k_steps;
     result.state_hash = state.hash();
+    largest_MB = std::max(largest_MB, allocated_MB());
     return result;
 }
 
@@ -220,13 +222,13 @@ std::vector<BenchSize> bench_sizes(BenchExtent extent) {
     return sizes;
 }
 
-BenchRow run_bench(const BenchSize& size, int repetitions) {
-    const scene::Scene scene = scene_of(size);
+BenchRow run_bench(const BenchSize& size, const BenchOptions& options) {
+    const int repetitions = options.repetitions;
+    const scene::Scene scene = scene_of(size, options.precision);
     BenchRow row;
     row.size = size;
-    // what rows before this one have given back must not look like less of this one's
-    malloc_trim(0);
-    const double memory_before_MB = resident_MB();
+    const double memory_before_MB = allocated_MB();
+    double largest_MB = memory_before_MB;
     Model model = make_model(make_icosphere(size.nodes), cell_radii(scene, {}));
     std::array<std::vector<Vec3>, 2> x_um;
     x_um[0] = x_um[1] = start_positions(scene, model, {});
@@ -251,8 +253,8 @@ BenchRow run_bench(const BenchSize& size, int repetitions) {
     time_parts(system, std::span<const std::vector<Vec3>, 2>(x_um), repetitions, row);
     for (const MethodRow& method : all_methods())
         if (method.moves_in_time())  // the system has a controller, which is a motion in time
-            row.steps.push_back(time_steps(scene, method, system, x_um[0]));
-    row.memory_MB = resident_MB() - memory_before_MB;
+            row.steps.push_back(time_steps(scene, method, system, x_um[0], largest_MB));
+    row.memory_MB = largest_MB - memory_before_MB;
     return row;
 }
 

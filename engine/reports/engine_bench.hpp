@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/contact/contact_timing.hpp"
+#include "engine/scene/scene.hpp"
 #include "engine/solve/method.hpp"
 
 #include <atomic>
@@ -15,6 +16,11 @@ namespace spheroscope::reports {
 /// pressed 0.7 um into each other. The paper's parameters of case A.
 struct BenchSize {
     int cells = 1, nodes = 162, threads = 1;
+};
+
+struct BenchOptions {
+    int repetitions = 5;  ///< of every timing; the least counts
+    scene::Precision precision = scene::Precision::single_precision;  ///< of the contact kernel
 };
 
 struct BenchTime {
@@ -51,13 +57,13 @@ struct BenchRow {
     int solve_iterations = 0;
     double solve_residual = 0.0;  ///< |b - A v| / |b|, computed anew
     std::vector<BenchStep> steps;
-    double memory_MB = 0.0;  ///< that the system and its first steps added
+    double memory_MB = 0.0;  ///< of the system, its states and the method that needs most
 };
 
 /// Sizes of the full benchmark, or of a part that takes seconds.
 enum class BenchExtent { full, quick };
 [[nodiscard]] std::vector<BenchSize> bench_sizes(BenchExtent extent);
 
-[[nodiscard]] BenchRow run_bench(const BenchSize& size, int repetitions);
+[[nodiscard]] BenchRow run_bench(const BenchSize& size, const BenchOptions& options);
 
 }  // namespace spheroscope::reports

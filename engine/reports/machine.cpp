@@ -1,12 +1,13 @@
 #include "engine/reports/machine.hpp"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <fstream>
 #include <limits>
 #include <thread>
-#include <unistd.h>
 
 namespace spheroscope::reports {
 
@@ -37,11 +38,9 @@ double wall_clock_s() {
         .count();
 }
 
-double resident_MB() {
-    std::ifstream file("/proc/self/statm");
-    double all_pages = 0.0, resident_pages = 0.0;
-    if (!(file >> all_pages >> resident_pages)) return std::numeric_limits<double>::quiet_NaN();
-    return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
+double allocated_MB() {
+    const struct mallinfo2 now = mallinfo2();  // of all threads
+    return 1e-6 * static_cast<double>(now.uordblks + now.hblkhd);
 }
 
 }  // namespace spheroscope::reports

@@ -18,7 +18,8 @@ struct Machine {
 /// Wall time from any origin, s.
 [[nodiscard]] double wall_clock_s();
 
-/// Memory of this process that is in use now (resident), MB; NaN where the system does not say.
-[[nodiscard]] double resident_MB();
+/// Memory that this process has asked for and not given back, MB. Unlike resident memory it does
+/// not count what earlier work has left behind.
+[[nodiscard]] double allocated_MB();
 
 }  // namespace spheroscope::reports
