@@ -141,6 +141,14 @@ std::string notes_of(const reports::Precision& precision) {
         }
         if (!precision.reference_is_fine_enough())
             text += "'< ref': below ten times the error of the reference, so not shown\n";
+        if (!precision.cost_of_floats.empty()) {
+            text += "single precision of the contact kernel changes the reference by:\n";
+            for (std::size_t m = 0; m < all_error_measures().size(); ++m) {
+                const double change = precision.cost_of_floats[m];
+                text += fmt::format("  {:<14}{}\n", all_error_measures()[m].name,
+                                    std::isnan(change) ? "-" : fmt::format("{:.2g}", change));
+            }
+        }
     } else {
         text += "no reference: no method came through with a step and with half of it, or the time "
                 "limit came first; so there are no errors\n";
@@ -184,6 +192,14 @@ nlohmann::json json_of(const reports::Precision& precision) {
         reference["is_fine_enough"] = precision.reference_is_fine_enough();
         document["reference"] = reference;
     }
+    document["cost_of_floats"] = nullptr;
+    if (!precision.cost_of_floats.empty()) {
+        nlohmann::json changes = nlohmann::json::object();
+        for (std::size_t m = 0; m < all_error_measures().size(); ++m)
+            changes[std::string(all_error_measures()[m].name)] =
+                number_or_null(precision.cost_of_floats[m]);
+        document["cost_of_floats"] = changes;
+    }
     return document;
 }
 
@@ -221,11 +237,7 @@ reports::ReportTable table_of(const reports::MeshLadder& ladder) {
         cells.push_back(or_word(result.extrapolation.order, "-"));
         cells.push_back(or_word(result.mesh_error, "-"));
         cells.push_back(or_word(result.time_error, "-"));
-        if (std::isfinite(result.mesh_error) && std::isfinite(result.time_error))
-            cells.emplace_back(
-                std::string(result.mesh_error > result.time_error ? "mesh" : "time"));
-        else
-            cells.emplace_back(std::string("unknown"));
+        cells.emplace_back(std::string(result.dominant()));
         table.rows.push_back(std::move(cells));
     }
     std::vector<TableCell> wall{std::string("wall time"), std::string("s")};
@@ -240,10 +252,8 @@ reports::ReportTable table_of(const reports::MeshLadder& ladder) {
 std::string notes_of(const reports::MeshLadder& ladder, int own_nodes) {
     int mesh = 0, time = 0, unknown = 0;
     for (const reports::MeshResult& result : ladder.results) {
-        if (!std::isfinite(result.mesh_error) || !std::isfinite(result.time_error))
-            ++unknown;
-        else
-            ++(result.mesh_error > result.time_error ? mesh : time);
+        const std::string_view dominant = result.dominant();
+        ++(dominant == "mesh" ? mesh : dominant == "time" ? time : unknown);
     }
     std::string text =
         fmt::format("at {} nodes with {}, {}: the mesh error dominates in {} measures, the time "
@@ -277,7 +287,8 @@ nlohmann::json json_of(const reports::MeshLadder& ladder, int own_nodes) {
                             {"extrapolated", number_or_null(result.extrapolation.limit)},
                             {"order", number_or_null(result.extrapolation.order)},
                             {"mesh_error", number_or_null(result.mesh_error)},
-                            {"time_error", number_or_null(result.time_error)}});
+                            {"time_error", number_or_null(result.time_error)},
+                            {"dominant", result.dominant()}});
     }
     return {{"levels", levels},
             {"measures", measures},

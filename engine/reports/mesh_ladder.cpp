@@ -65,6 +65,11 @@ std::span<const MeshMeasure> all_mesh_measures() {
     return rows;
 }
 
+std::string_view MeshResult::dominant() const {
+    if (!std::isfinite(mesh_error) || !std::isfinite(time_error)) return "unknown";
+    return mesh_error > time_error ? "mesh" : "time";
+}
+
 Extrapolation extrapolate(std::span<const double> values) {
     Extrapolation result{k_undefined, k_undefined, false};
     if (values.size() < 3) return result;

@@ -33,6 +33,9 @@ struct MeshResult {
     Extrapolation extrapolation;
     double mesh_error = 0.0;  ///< of the scene's own mesh, relative to the limit; NaN: not resolved
     double time_error = 0.0;  ///< of the scene's own step on its own mesh, relative; NaN likewise
+
+    /// Which error is the larger one: "mesh", "time", or "unknown" where either is not resolved.
+    [[nodiscard]] std::string_view dominant() const;
 };
 
 struct MeshLadder {

@@ -64,6 +64,11 @@ const MethodRow* reference_method(const std::vector<PrecisionRow>& rows) {
     return best;
 }
 
+bool has_contacts_in_floats(const scene::Scene& scene) {
+    return scene.contact && scene.contact->law == scene::ContactLaw::traction &&
+           scene.contact->precision == scene::Precision::single_precision;
+}
+
 bool was_stopped(const PrecisionOptions& options) {
     return options.stop != nullptr && options.stop->load();
 }
@@ -107,7 +112,6 @@ void make_reference(const scene::Scene& scene, const PrecisionOptions& options, 
                 }
                 compare_rows(precision, fine);
                 precision.reference_run = fine;
-                precision.reference_run.samples.clear();
                 if (precision.reference_is_fine_enough()) break;
             }
             coarse = std::move(fine);
@@ -116,6 +120,25 @@ void make_reference(const scene::Scene& scene, const PrecisionOptions& options, 
         }
         setting.dt_s *= 0.5;
     }
+}
+
+/// What floats change in the reference; while its samples are there.
+void compare_with_doubles(scene::Scene scene, const PrecisionOptions& options, double begin_s,
+                          Precision& precision) {
+    if (!precision.reference || !has_contacts_in_floats(scene) || was_stopped(options)) return;
+    const double left_s = remaining_s(options.wall_limit_s, begin_s);
+    if (left_s <= 0.0) {
+        precision.met_time_limit = true;
+        return;
+    }
+    if (options.progress) options.progress("reference in double", 1.0);
+    scene.contact->precision = scene::Precision::double_precision;
+    const MeasuredRun in_double = run_with(scene, *precision.reference, options, left_s);
+    if (in_double.is_complete())
+        precision.cost_of_floats =
+            compute_errors(precision.reference_run, in_double, precision.scales);
+    else if (in_double.verdict == RunVerdict::time_limit)
+        precision.met_time_limit = true;
 }
 
 }  // namespace
@@ -196,6 +219,8 @@ Precision compute_precision(const scene::Scene& scene, const PrecisionOptions& o
         if (row.run.verdict == RunVerdict::time_limit) precision.met_time_limit = true;
     }
     make_reference(fixed, options, begin_s, precision);
+    compare_with_doubles(fixed, options, begin_s, precision);
+    precision.reference_run.samples.clear();
     for (PrecisionRow& row : precision.rows) row.run.samples.clear();
     return precision;
 }

@@ -47,6 +47,10 @@ struct Precision {
     MethodSetting second;  ///< the same at twice the step, against which it is checked
     std::vector<double> reference_errors;  ///< of the reference, from the difference of the two
     ErrorScales scales;
+    /// What the contact kernel's single precision changes: the difference of the reference to the
+    /// same run in double, one for each error measure. Empty where the scene's kernel is double, or
+    /// there are no contacts of `traction`, or the run did not come to its end.
+    std::vector<double> cost_of_floats;
     bool met_time_limit = false;
 
     /// The error of a row can be told from that of the reference: it is ten times as large.
@@ -67,8 +71,9 @@ struct PrecisionOptions {
 
 /// Runs every method of the table over its ladder, then a reference: fixed steps of the method with
 /// the highest order (of several, of the one with the cheapest step), halved until its difference
-/// to the run at twice the step is a tenth of the smallest error in the table. Throws Error when
-/// the scene's outputs would depend on the method (with_fixed_outputs).
+/// to the run at twice the step is a tenth of the smallest error in the table. Rows and reference
+/// share the kernel of the contacts; where that is in floats, the reference is run once more in
+/// double. Throws Error when the scene's outputs would depend on the method (with_fixed_outputs).
 [[nodiscard]] Precision compute_precision(const scene::Scene& scene,
                                           const PrecisionOptions& options);
 

@@ -86,7 +86,8 @@ TEST_F(ReportVerbs, PrecisionWithMeshLevelsSaysWhichErrorDominates) {
     const auto document = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(document["levels"].size(), 3U);
     for (const auto& measure : document["measures"])
-        for (const char* key : {"values", "extrapolated", "order", "mesh_error", "time_error"})
+        for (const char* key :
+             {"values", "extrapolated", "order", "mesh_error", "time_error", "dominant"})
             EXPECT_TRUE(measure.contains(key)) << key;
 }
 

@@ -89,6 +89,61 @@ TEST(Precision, AReferenceThatIsTooCoarseHidesWhatItCannotTell) {
     EXPECT_GT(n_hidden, 0);
 }
 
+/// Two cells that stick together.
+scene::Scene doublet(const std::string& contact) {
+    return scene::parse_scene(R"([cells]
+arrangement = "centres"
+nodes = 42
+centres = [[0, 0, -8.9, 9], [0, 0, 8.9, 9]]
+[cortex.elastic]
+E = 20
+[cortex.tension]
+gamma = 0.5
+[cortex.viscosity]
+eta = 1
+[cytosol]
+[medium]
+[method]
+dt = "4 ms"
+[[stage]]
+kind = "relax"
+duration = "0.064 s"
+[contact]
+)" + contact + R"([contact.adhesion]
+omega = 0.5
+[contact.friction]
+normal = 0.05
+tangential = 0.05
+)",
+                              "doublet.toml");
+}
+
+TEST(Precision, SaysWhatSinglePrecisionOfTheKernelCosts) {
+    const Precision precision = compute_precision(doublet(""), {.n_levels = 1});
+    ASSERT_TRUE(precision.reference);
+    ASSERT_EQ(precision.cost_of_floats.size(), all_error_measures().size());
+    for (std::size_t m = 0; m < all_error_measures().size(); ++m) {
+        const std::string_view name = all_error_measures()[m].name;
+        const double change = precision.cost_of_floats[m];
+        if (name == "positions" || name == "contact_area") {
+            EXPECT_GT(change, 0.0) << name;
+        }
+        // nodal forces are exact to 2e-6, and the motion is stable
+        if (!std::isnan(change)) {
+            EXPECT_LT(change, 1e-4) << name;
+        }
+    }
+}
+
+TEST(Precision, ComparesNothingWithDoublesWhereTheKernelIsNotInFloats) {
+    const PrecisionOptions options{.n_levels = 1, .most_reference_halvings = 1};
+    EXPECT_TRUE(
+        compute_precision(doublet("precision = \"double\"\n"), options).cost_of_floats.empty());
+    EXPECT_TRUE(
+        compute_precision(doublet("law = \"variational\"\n"), options).cost_of_floats.empty());
+    EXPECT_TRUE(compute_precision(stretched_cell(), options).cost_of_floats.empty());
+}
+
 TEST(Precision, ScenesWhoseTimesDependOnTheMethodAreRefused) {
     scene::Scene scene = stretched_cell();
     scene.stages[0].until = scene::Until::rest;
@@ -122,6 +177,22 @@ TEST(MeshLadder, TellsMeshErrorFromTimeError) {
             EXPECT_TRUE(std::isfinite(result.mesh_error));
         }
     EXPECT_GT(n_resolved, 0);
+}
+
+/// Which error the ladder finds larger in the surface tension, of forward Euler on 642 nodes.
+std::string_view dominant_in_gamma_eff(double dt_s) {
+    scene::Scene scene = scene::on_mesh(stretched_cell(), 642);
+    scene.method.name = "forward_euler";
+    scene.method.dt_s = dt_s;
+    const MeshLadder ladder = compute_mesh_ladder(scene, 642, {});
+    for (std::size_t m = 0; m < ladder.results.size(); ++m)
+        if (all_mesh_measures()[m].name == "gamma_eff_rms") return ladder.results[m].dominant();
+    return "not there";
+}
+
+TEST(MeshLadder, BlamesLongStepsAndThenTheMesh) {
+    EXPECT_EQ(dominant_in_gamma_eff(8e-3), "time");  // 10 % against 1.8 %
+    EXPECT_EQ(dominant_in_gamma_eff(1e-3), "mesh");  // 1.2 %
 }
 
 }  // namespace
