@@ -205,12 +205,23 @@ Claim read_claim(const Document& document, const Value& table, const std::string
     claim.factor = reader.number("factor").value_or(1.0);
     claim.paper = read_range(reader, table);
     claim.tolerance = reader.number("tolerance").value_or(0.0);
+    claim.tolerance_factor = reader.number("tolerance_factor").value_or(1.0);
     claim.undecidable = reader.text_or("undecidable", "");
+    claim.remark = reader.text_or("remark", "");
     reader.finish();
     if (claim.minus && claim.over)
         throw Error(table.loc, "a claim wants one of minus, over; got both");
     if (claim.tolerance < 0.0)
         throw Error(table.find("tolerance")->loc, "'tolerance' wants a number from 0");
+    if (const Value* factor = table.find("tolerance_factor")) {
+        if (claim.tolerance_factor < 1.0)
+            throw Error(factor->loc, "'tolerance_factor' wants a number from 1");
+        if (table.find("tolerance") != nullptr)
+            throw Error(factor->loc, "a claim wants one of tolerance, tolerance_factor; got both");
+        if (claim.paper.min * claim.paper.max <= 0.0 || claim.paper.is_one_sided())
+            throw Error(factor->loc,
+                        "'tolerance_factor' wants a range on one side of zero, with both ends");
+    }
     return claim;
 }
 
@@ -262,6 +273,25 @@ std::string Range::text() const {
     if (std::isinf(max)) return fmt::format("> {:.4g}", min);
     if (std::isinf(min)) return fmt::format("< {:.4g}", max);
     return min == max ? fmt::format("{:.4g}", min) : fmt::format("{:.4g} ... {:.4g}", min, max);
+}
+
+Range Claim::accepted() const {
+    if (tolerance_factor == 1.0) return {paper.min - tolerance, paper.max + tolerance};
+    const double f = tolerance_factor;
+    return paper.min > 0.0 ? Range{paper.min / f, paper.max * f}
+                           : Range{paper.min * f, paper.max / f};
+}
+
+std::string Claim::tolerance_text() const {
+    if (tolerance_factor != 1.0) return fmt::format("factor {:.4g}", tolerance_factor);
+    return tolerance == 0.0 ? "" : fmt::format("{:.4g}", tolerance);
+}
+
+std::vector<std::string> Claim::setups() const {
+    std::vector<std::string> names{measured.setup};
+    const auto& other = minus ? minus : over;
+    if (other && other->setup != measured.setup) names.push_back(other->setup);
+    return names;
 }
 
 const ClaimedSetup* ClaimTable::find_setup(const std::string& name) const {

@@ -51,8 +51,17 @@ struct Claim {
     std::optional<Quantity> minus, over;
     double factor = 1.0;
     Range paper;
-    double tolerance = 0.0;
-    std::string undecidable;  ///< why no number of ours can decide it; empty: it can
+    double tolerance = 0.0;         ///< how far outside of it still agrees
+    double tolerance_factor = 1.0;  ///< >= 1; how many times larger or smaller still agrees
+    std::string undecidable;        ///< why no number of ours can decide it; empty: it can
+    std::string remark;             ///< what a reader of the verdict has to know; "": nothing
+
+    /// The paper's range with the tolerance on both sides.
+    [[nodiscard]] Range accepted() const;
+    /// "0.15", "factor 2"; "": none
+    [[nodiscard]] std::string tolerance_text() const;
+    /// Setups that it needs: one, or two that are compared.
+    [[nodiscard]] std::vector<std::string> setups() const;
 };
 
 /// At most so many claims may be marked undecidable.

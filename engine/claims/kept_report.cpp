@@ -3,10 +3,12 @@
 #include "engine/base/error.hpp"
 #include "engine/base/fnv1a.hpp"
 #include "engine/reports/csv_table.hpp"
+#include "engine/statistics/derived_numbers.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace spheroscope::claims {
 namespace {
@@ -60,7 +62,10 @@ MeasuredRun run_of(const CsvTable& table, std::size_t row) {
     Totals totals{};
     bool is_of_cells = false;
     for (const TotalsRow& total : all_totals()) {
-        const double value = table.number(row, total.name);
+        // a report of an older version has fewer of them
+        const double value = table.has(std::string(total.name))
+                                 ? table.number(row, total.name)
+                                 : std::numeric_limits<double>::quiet_NaN();
         is_of_cells = is_of_cells || !std::isnan(value);
         if (const auto* real = std::get_if<double Totals::*>(&total.member))
             totals.** real = value;
@@ -118,10 +123,13 @@ MeasuredSetups kept_setups(const std::string& folder) {
             number.by_run = totals_of_runs(setup, number.name);
         setup.numbers.push_back(std::move(number));
     }
-    for (auto& [name, setup] : kept)
+    for (auto& [name, setup] : kept) {
+        setup.is_kept = true;
+        statistics::add_derived_numbers(setup.numbers, setup.law);
         for (const std::string& comment : runs.comments())
             if (comment.starts_with(name + ", "))
                 setup.remarks.push_back(comment.substr(name.size() + 2));
+    }
     return kept;
 }
 

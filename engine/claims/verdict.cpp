@@ -28,6 +28,9 @@ const SetupNumber& find_number(const Quantity& quantity, const MeasuredSetups& m
     const auto number =
         std::find_if(setup.numbers.begin(), setup.numbers.end(),
                      [&](const SetupNumber& n) { return n.name == quantity.number; });
+    if (number == setup.numbers.end() && setup.is_kept)
+        throw NoData{fmt::format("the report that {} is kept from does not have '{}'",
+                                 quantity.setup, quantity.number)};
     if (number == setup.numbers.end()) {
         std::vector<std::string> names;
         for (const SetupNumber& n : setup.numbers) names.push_back(n.name);
@@ -155,10 +158,16 @@ std::string_view name_of(Verdict verdict) {
 Verdict judge(const Claim& claim, const Estimate& value) {
     if (!std::isfinite(value.mean)) return Verdict::no_data;
     if (!claim.undecidable.empty()) return Verdict::not_decidable;
-    const double two_errors = std::isnan(value.standard_error) ? 0.0 : 2.0 * value.standard_error;
-    const double grace =
-        claim.paper.is_one_sided() ? claim.tolerance : std::max(two_errors, claim.tolerance);
-    return claim.paper.distance(value.mean) <= grace ? Verdict::agrees : Verdict::differs;
+    const bool is_by_error = !claim.paper.is_one_sided() && !std::isnan(value.standard_error) &&
+                             claim.paper.distance(value.mean) <= 2.0 * value.standard_error;
+    return is_by_error || claim.accepted().distance(value.mean) == 0.0 ? Verdict::agrees
+                                                                       : Verdict::differs;
+}
+
+std::string command_of(const Claim& claim) {
+    std::string command = "spheroscope reproduce --full";
+    for (const std::string& setup : claim.setups()) command += " --only " + setup;
+    return command;
 }
 
 std::vector<JudgedClaim> judge_claims(const ClaimTable& table, const MeasuredSetups& measured) {
@@ -170,8 +179,7 @@ std::vector<JudgedClaim> judge_claims(const ClaimTable& table, const MeasuredSet
             row.value = value_of(claim, measured);
             row.verdict = judge(claim, row.value);
             if (row.verdict == Verdict::not_decidable) row.reason = claim.undecidable;
-            if (row.verdict == Verdict::agrees &&
-                claim.paper.distance(row.value.mean) > claim.tolerance)
+            if (row.verdict == Verdict::agrees && claim.accepted().distance(row.value.mean) > 0.0)
                 row.reason = "by its error alone, which is larger than the tolerance";
             if (row.verdict == Verdict::agrees && is_by_less_than_its_error(claim, row.value))
                 row.reason = "by less than two standard errors";
@@ -186,23 +194,25 @@ std::vector<JudgedClaim> judge_claims(const ClaimTable& table, const MeasuredSet
 reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
                                    const MeasuredSetups& measured) {
     reports::ReportTable table;
-    table.columns = {{"claim"},        {"source", false},  {"says", false}, {"setup", false},
-                     {"number"},       {"unit"},           {"paper"},       {"tolerance"},
-                     {"mean"},         {"standard_error"}, {"seeds"},       {"law", false},
-                     {"cells", false}, {"nodes", false},   {"verdict"},     {"reason", false}};
+    table.columns = {{"claim"},         {"source", false},  {"says", false}, {"setup", false},
+                     {"number"},        {"unit"},           {"paper"},       {"tolerance"},
+                     {"mean"},          {"standard_error"}, {"seeds"},       {"law", false},
+                     {"cells", false},  {"nodes", false},   {"verdict"},     {"reason", false},
+                     {"remark", false}, {"command", false}};
     constexpr reports::Missing none{"-"};
     for (const JudgedClaim& row : judged) {
         const Claim& claim = *row.claim;
         const MeasuredSetup* setup = setup_of(row, measured);
         table.rows.push_back(
             {claim.id, claim.source, claim.says, setups_text(claim), number_text(claim),
-             claim.unit.empty() ? "1" : claim.unit, claim.paper.text(), claim.tolerance,
-             row.value.mean, row.value.standard_error, std::int64_t{row.value.n},
+             claim.unit.empty() ? "1" : claim.unit, claim.paper.text(),
+             claim.tolerance_text().empty() ? "0" : claim.tolerance_text(), row.value.mean,
+             row.value.standard_error, std::int64_t{row.value.n},
              setup == nullptr ? "" : setup->law,
              setup == nullptr ? reports::TableCell{none} : std::int64_t{setup->n_cells},
              setup == nullptr || setup->n_nodes == 0 ? reports::TableCell{none}
                                                      : std::int64_t{setup->n_nodes},
-             std::string(name_of(row.verdict)), row.reason});
+             std::string(name_of(row.verdict)), row.reason, claim.remark, command_of(claim)});
     }
     return table;
 }
@@ -233,18 +243,20 @@ std::string claims_markdown(const std::vector<JudgedClaim>& judged,
                             const MeasuredSetups& measured) {
     std::string text =
         "| claim | where | the paper says | number, setup | paper | tolerance | we measure | seeds "
-        "| mesh, law | verdict |\n|---|---|---|---|---|---|---|---|---|---|\n";
+        "| mesh, law | verdict | runs and verdict again |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const JudgedClaim& row : judged) {
         const Claim& claim = *row.claim;
         const MeasuredSetup* setup = setup_of(row, measured);
         std::string verdict = fmt::format("**{}**", name_of(row.verdict));
         if (!row.reason.empty()) verdict += ": " + row.reason;
-        text += fmt::format("| `{}` | {} | {} | {}, {} | {} | {} | {} | {} | {} | {} |\n", claim.id,
-                            claim.source, claim.says, number_text(claim), setups_text(claim),
-                            with_unit(claim.paper.text(), claim.unit),
-                            claim.tolerance == 0.0 ? "" : fmt::format("{:.4g}", claim.tolerance),
-                            with_unit(value_text(row.value), claim.unit), row.value.n,
-                            setup == nullptr ? "-" : size_text(*setup), verdict);
+        if (!claim.remark.empty()) verdict += fmt::format(" ({})", claim.remark);
+        text +=
+            fmt::format("| `{}` | {} | {} | {}, {} | {} | {} | {} | {} | {} | {} | `{}` |\n",
+                        claim.id, claim.source, claim.says, number_text(claim), setups_text(claim),
+                        with_unit(claim.paper.text(), claim.unit), claim.tolerance_text(),
+                        with_unit(value_text(row.value), claim.unit), row.value.n,
+                        setup == nullptr ? "-" : size_text(*setup), verdict, command_of(claim));
     }
     return text;
 }

@@ -29,6 +29,7 @@ struct MeasuredSetup {
     std::string law;                    ///< of contact
     int n_cells = 0, n_nodes = 0;       ///< of beads: their number, and 0
     std::vector<MeasuredRun> runs;
+    bool is_kept = false;  ///< from an earlier report, which may not have all numbers of today
 };
 /// By the setup's name; one that is not there was left out.
 using MeasuredSetups = std::map<std::string, MeasuredSetup>;
@@ -45,6 +46,9 @@ struct JudgedClaim {
     Verdict verdict = Verdict::no_data;
     std::string reason;  ///< of `no_data` and `not_decidable`; what an agreement rests on
 };
+
+/// What makes the runs of a claim and judges it: "spheroscope reproduce --full --only case_a".
+[[nodiscard]] std::string command_of(const Claim& claim);
 
 /// Verdict on one number. `value.standard_error` NaN (one seed) counts as none.
 [[nodiscard]] Verdict judge(const Claim& claim, const statistics::Estimate& value);

@@ -221,7 +221,8 @@ std::string verdicts_text(const std::vector<JudgedClaim>& judged) {
 
 nlohmann::json json_of(const JudgedClaim& row) {
     const claims::Claim& claim = *row.claim;
-    return {{"claim", claim.id},
+    return {{"id", claim.id},
+            {"claim", claim.id},
             {"source", claim.source},
             {"says", claim.says},
             {"setup", claim.measured.setup},
@@ -229,11 +230,16 @@ nlohmann::json json_of(const JudgedClaim& row) {
             {"unit", claim.unit.empty() ? "1" : claim.unit},
             {"paper", claim.paper.text()},
             {"tolerance", claim.tolerance},
+            {"tolerance_factor", claim.tolerance_factor},
+            {"ours", number_or_null(row.value.mean)},
+            {"error", number_or_null(row.value.standard_error)},
             {"mean", number_or_null(row.value.mean)},
             {"standard_error", number_or_null(row.value.standard_error)},
             {"seeds", row.value.n},
             {"verdict", claims::name_of(row.verdict)},
-            {"reason", row.reason}};
+            {"reason", row.reason},
+            {"remark", claim.remark},
+            {"command", claims::command_of(claim)}};
 }
 
 /// claims.csv, claims.md, numbers.csv, runs.csv; returns their names.

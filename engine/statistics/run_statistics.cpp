@@ -70,6 +70,13 @@ double RunStatistics::mean_stress_kPa(const CellStressRow& row, Weighting weight
         .mean;
 }
 
+double RunStatistics::mean_stress_of_layer_kPa(const CellStressRow& row, bool of_core) const {
+    std::vector<double> values;
+    for (std::size_t cell = 0; cell < is_core.size(); ++cell)
+        if ((is_core[cell] != 0) == of_core) values.push_back(equal_kPa[cell].*row.member);
+    return mean_over_seeds(values).mean;
+}
+
 RunStatistics measure_run(const SnapshotPtr& frame) {
     const RunHeader& header = *frame->header;
     inspect::FrameSystem system(frame->header, {}, inspect::FrameSystem::Detail::contacts);
@@ -98,6 +105,8 @@ RunStatistics measure_run(const SnapshotPtr& frame) {
     run.tension_nN_per_um = tension_by_region(aggregate);
     run.equal_kPa = stress_of_cells(aggregate, Weighting::equal);
     run.area_kPa = stress_of_cells(aggregate, Weighting::area);
+    for (int cell = 0; cell < aggregate.n_cells(); ++cell)
+        run.is_core.push_back(aggregate.is_core(cell) ? 1 : 0);
     for (std::size_t r = 0; r < all_cell_stresses().size(); ++r)
         run.cell_stress_kPa[r] =
             sample_cells(aggregate, probes, values_of(run.equal_kPa, all_cell_stresses()[r]),

@@ -38,6 +38,7 @@ struct RunStatistics {
 
     std::array<double, 4> tension_nN_per_um{};    ///< in k_regions
     std::vector<CellStress> equal_kPa, area_kPa;  ///< [cells] both weightings
+    std::vector<char> is_core;                    ///< [cells] not in the rim layer
     std::vector<PairForce> pairs;
     double touching_area_um2 = 0.1;
     // Frame by frame; whoever reads the file fills it in.
@@ -48,6 +49,8 @@ struct RunStatistics {
     [[nodiscard]] double coordination_at(double threshold_um2) const;
     /// Mean over the cells of one number of their stress, kPa; NaN where no cell touches another.
     [[nodiscard]] double mean_stress_kPa(const CellStressRow& row, Weighting weighting) const;
+    /// The same over the core cells, or over all others, with equal weights.
+    [[nodiscard]] double mean_stress_of_layer_kPa(const CellStressRow& row, bool of_core) const;
 };
 
 /// Measures one frame of a run: some tenths of a second; `file`, `outcome`, `load` and `wall` are

@@ -1,9 +1,11 @@
 #include "engine/statistics/setup_numbers.hpp"
 
+#include "engine/statistics/derived_numbers.hpp"
 #include "engine/statistics/radial_profile.hpp"
 #include "engine/statistics/tail_exponent.hpp"
 #include "engine/statistics/void_fraction.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -33,26 +35,38 @@ class Numbers {
     std::vector<SetupNumber> numbers_;
 };
 
+using PlaceInProfile = double (*)(std::span<const ProfilePoint>);
+
+/// Depths are counted from a surface: the sphere with the volume of all cells, or the sphere that
+/// just holds all nodes. Cells of loose aggregates reach farther out than the first.
+using Surface = double (*)(const RunStatistics&);
+double equivalent_sphere_um(const RunStatistics& run) { return run.R_th_um; }
+double farthest_node_um(const RunStatistics& run) { return run.extent_um; }
+
 /// Depth below R_th at which sigma_h of one run changes its sign, or is largest.
-double depth_um(const RunStatistics& run, double (*place)(std::span<const ProfilePoint>)) {
+double depth_um(const RunStatistics& run, PlaceInProfile place) {
     const std::vector<std::vector<ProbeSample>> one{run.sigma_h_nearest_kPa};
     return (1.0 - place(pooled_profile(one))) * run.R_th_um;
 }
 
 /// The same of the probes of all runs together, as the paper has it: one run is too few cells for a
-/// profile. The error is the jackknife's, each run left out once.
-Estimate pooled_depth_um(const SetupStatistics& setup,
-                         double (*place)(std::span<const ProfilePoint>)) {
+/// profile. The error is the jackknife's, each run left out once, and not below half the grid that
+/// the place is found on, `resolution_over_R_th`.
+Estimate pooled_depth_um(const SetupStatistics& setup, PlaceInProfile place, Surface surface,
+                         double resolution_over_R_th) {
     const std::size_t n = setup.runs.size();
+    double R_th_um = 0.0;  // mean
+    for (const RunStatistics& run : setup.runs) R_th_um += run.R_th_um / static_cast<double>(n);
     const auto without = [&](std::size_t left_out) {
         std::vector<std::vector<ProbeSample>> samples;
-        double R_th_um = 0.0;
+        double R_um = 0.0, surface_um = 0.0;
         for (std::size_t i = 0; i < n; ++i)
             if (i != left_out) {
                 samples.push_back(setup.runs[i].sigma_h_nearest_kPa);
-                R_th_um += setup.runs[i].R_th_um;
+                R_um += setup.runs[i].R_th_um;
+                surface_um += surface(setup.runs[i]);
             }
-        return (1.0 - place(pooled_profile(samples))) * R_th_um /
+        return (surface_um - place(pooled_profile(samples)) * R_um) /
                static_cast<double>(samples.size());
     };
     Estimate depth;
@@ -62,7 +76,9 @@ Estimate pooled_depth_um(const SetupStatistics& setup,
     std::vector<double> values;
     for (std::size_t i = 0; i < n; ++i) values.push_back(without(i));
     // The standard error of their mean, of values that differ by (n - 1) times less than seeds do.
-    depth.standard_error = static_cast<double>(n - 1) * mean_over_seeds(values).standard_error;
+    depth.standard_error =
+        std::max(static_cast<double>(n - 1) * mean_over_seeds(values).standard_error,
+                 0.5 * resolution_over_R_th * R_th_um);
     return depth;
 }
 
@@ -77,8 +93,15 @@ void add_profile(Numbers& numbers, const SetupStatistics& setup) {
                 [](const RunStatistics& run) { return depth_um(run, zero_crossing); });
     numbers.add("sigma_h_peak_depth", "um",
                 [](const RunStatistics& run) { return depth_um(run, peak); });
-    numbers.add_of_all("sigma_h_zero_depth_pooled", "um", pooled_depth_um(setup, zero_crossing));
-    numbers.add_of_all("sigma_h_peak_depth_pooled", "um", pooled_depth_um(setup, peak));
+    numbers.add("extent", "um", farthest_node_um);
+    const auto add_pooled = [&](const std::string& name, PlaceInProfile place, double resolution) {
+        numbers.add_of_all(name + "_pooled", "um",
+                           pooled_depth_um(setup, place, equivalent_sphere_um, resolution));
+        numbers.add_of_all(name + "_below_farthest_node", "um",
+                           pooled_depth_um(setup, place, farthest_node_um, resolution));
+    };
+    add_pooled("sigma_h_zero_depth", zero_crossing, 0.0);  // interpolated between bins
+    add_pooled("sigma_h_peak_depth", peak, k_bin_width);
     // The paper defines sigma_h as the whole trace once, and as a third of it once.
     numbers.add("core_trace_over_2_omega_R", "1",
                 [](const RunStatistics& run) { return 3.0 * (1.0 - run.totals.eps_YL_omega); });
@@ -112,6 +135,12 @@ void add_stresses(Numbers& numbers) {
                             (weighting == Weighting::area ? "_by_area" : ""),
                         "Pa", [&](const RunStatistics& run) {
                             return k_Pa_per_kPa * run.mean_stress_kPa(row, weighting);
+                        });
+    for (const CellStressRow& row : all_cell_stresses())
+        for (const bool is_core : {false, true})
+            numbers.add(std::string(row.quantity) + (is_core ? ", core cells" : ", rim cells"),
+                        "Pa", [&](const RunStatistics& run) {
+                            return k_Pa_per_kPa * run.mean_stress_of_layer_kPa(row, is_core);
                         });
 }
 
@@ -151,7 +180,9 @@ std::vector<SetupNumber> numbers_of(const SetupStatistics& setup) {
     add_regions(numbers);
     add_stresses(numbers);
     add_forces(numbers, setup);
-    return numbers.take();
+    std::vector<SetupNumber> all = numbers.take();
+    add_derived_numbers(all, setup.setup().law);
+    return all;
 }
 
 }  // namespace spheroscope::statistics

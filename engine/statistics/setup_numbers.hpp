@@ -24,9 +24,10 @@ struct SetupNumber {
 };
 
 /// Everything that is one number per run, over the seeds of a setup: totals, regions, stresses of
-/// cells, pores, depths of the profile, bulk modulus, contact forces. Some are of all runs
-/// together: depths of the pooled profile, whose error is the jackknife's, and the exponent of the
-/// pooled forces, whose error is the bootstrap's.
+/// cells, pores, depths of the profile, bulk modulus, contact forces, the balance of a droplet.
+/// Some are of all runs together: depths of the pooled profile, whose error is the jackknife's (and
+/// half a bin at least where a bin is what is found), and the exponent of the pooled forces, whose
+/// error is the bootstrap's.
 [[nodiscard]] std::vector<SetupNumber> numbers_of(const SetupStatistics& setup);
 
 /// f = F / <F> of all runs of a setup together, each over its own mean.

@@ -66,6 +66,30 @@ TEST(ClaimTable, MakesARowForEachSetupOfAList) {
     EXPECT_TRUE(table.claims[1].paper.is_one_sided());
 }
 
+TEST(ClaimTable, HasATolerancePerClaimThatIsADifferenceOrAFactor) {
+    const auto first = [](const std::string& keys) {
+        return parse_claims(claim("setup = \"a\"\nnumber = \"x\"\n" + keys), "my.claims")
+            .claims.front();
+    };
+    const Claim exact = first("is = 3\n");
+    EXPECT_EQ(exact.accepted().min, 3.0);
+    EXPECT_EQ(exact.accepted().max, 3.0);
+    EXPECT_EQ(exact.tolerance_text(), "");
+    EXPECT_EQ(exact.remark, "");
+    const Claim near = first("between = [2, 3]\ntolerance = 0.5\nremark = \"r\"\n");
+    EXPECT_EQ(near.accepted().min, 1.5);
+    EXPECT_EQ(near.accepted().max, 3.5);
+    EXPECT_EQ(near.tolerance_text(), "0.5");
+    EXPECT_EQ(near.remark, "r");
+    const Claim twice = first("between = [2, 3]\ntolerance_factor = 2\n");
+    EXPECT_EQ(twice.accepted().min, 1.0);
+    EXPECT_EQ(twice.accepted().max, 6.0);
+    EXPECT_EQ(twice.tolerance_text(), "factor 2");
+    const Claim tenfold = first("is = -358\ntolerance_factor = 10\n");
+    EXPECT_EQ(tenfold.accepted().min, -3580.0);
+    EXPECT_EQ(tenfold.accepted().max, -35.8);
+}
+
 TEST(ClaimTable, NamesThePlaceOfAMistake) {
     const std::string good = "setup = \"a\"\nnumber = \"x\"\n";
     const std::pair<std::string, std::string> mistakes[]{
@@ -74,6 +98,10 @@ TEST(ClaimTable, NamesThePlaceOfAMistake) {
         {claim(good + "between = [2, 1]\n"), "the smaller number first"},
         {claim(good + "is = \"many\"\n"), "my.claims:18:6: error: 'is' wants a number"},
         {claim(good + "is = 1\ntolerance = -1\n"), "a number from 0"},
+        {claim(good + "is = 1\ntolerance_factor = 0.5\n"), "a number from 1"},
+        {claim(good + "is = 1\ntolerance = 1\ntolerance_factor = 2\n"), "got both"},
+        {claim(good + "between = [-1, 1]\ntolerance_factor = 2\n"), "on one side of zero"},
+        {claim(good + "above = 1\ntolerance_factor = 2\n"), "with both ends"},
         {claim(good + "is = 1\ntolerence = 1\n"),
          "my.claims:19:1: error: a claim has no key 'tolerence'"},
         {claim("setup = \"c\"\nnumber = \"x\"\nis = 1\n"), "there is no setup 'c'"},

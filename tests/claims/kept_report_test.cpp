@@ -102,6 +102,44 @@ TEST_F(KeptReport, HasTotalsSeedBySeedWhereAnOldOneDoesNotListValues) {
     EXPECT_TRUE(kept.at("soft").numbers[1].by_run.empty());
 }
 
+TEST_F(KeptReport, GetsTheNumbersThatAreMadeOfOthers) {
+    MeasuredSetups measured;
+    for (const char* law : {"traction", "variational"}) {
+        MeasuredSetup& setup = measured[law];
+        setup.law = law;
+        setup.n_cells = 150;
+        setup.n_nodes = 162;
+        setup.numbers = {{"sigma_h_core", "kPa", {-0.015, 0.005, 2}, {-0.01, -0.02}},
+                         {"R_th", "um", {40.0, 0.0, 2}, {40.0, 40.0}},
+                         {"gamma_eff, rim", "mN/m", {0.3, 0.0, 2}, {0.3, 0.3}},
+                         {"gamma_eff, core", "mN/m", {0.1, 0.0, 2}, {0.1, 0.1}}};
+        setup.runs = {{1, "rest", "0.1", 300.0, 15.5, Totals{}, ""},
+                      {2, "rest", "0.1", 300.0, 15.5, Totals{}, ""}};
+    }
+    write(measured);
+    const MeasuredSetups kept = kept_setups(folder);
+    ASSERT_EQ(kept.at("traction").numbers.size(), 5U);
+    const statistics::SetupNumber& ratio = kept.at("traction").numbers.back();
+    EXPECT_EQ(ratio.name, "core_over_2Gamma_R");
+    ASSERT_EQ(ratio.by_run.size(), 2U);
+    EXPECT_NEAR(ratio.by_run[0], 1.0, 1e-12) << "0.01 kPa of 2 x 0.2 nN/um / 40 um";
+    EXPECT_NEAR(ratio.by_run[1], 2.0, 1e-12);
+    EXPECT_EQ(kept.at("variational").numbers.size(), 4U) << "its films are not in gamma_eff";
+
+    // of the means where runs are not listed: errors of 1/3, 0 and 0.01 sqrt(2) / 0.2
+    MeasuredSetup& old = measured["traction"];
+    for (statistics::SetupNumber& number : old.numbers) number.by_run.clear();
+    for (std::size_t i : {2U, 3U}) old.numbers[i].estimate.standard_error = 0.01;
+    write(measured);
+    const statistics::SetupNumber of_means = kept_setups(folder).at("traction").numbers.back();
+    EXPECT_EQ(of_means.name, "core_over_2Gamma_R");
+    EXPECT_TRUE(of_means.by_run.empty());
+    EXPECT_NEAR(of_means.estimate.mean, 1.5, 1e-12);
+    EXPECT_NEAR(of_means.estimate.standard_error,
+                1.5 * std::hypot(1.0 / 3.0, 0.05 * std::sqrt(2.0)), 1e-12);
+    EXPECT_EQ(of_means.estimate.n, 2);
+}
+
 TEST_F(KeptReport, SaysWhatIsWrongWithAFile) {
     EXPECT_NE(refusal().find("cannot be read"), std::string::npos);
     write(MeasuredSetups{});

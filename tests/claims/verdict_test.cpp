@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -200,6 +201,7 @@ TEST(PaperClaims, HaveScenesThatLoad) {
 TEST(PaperClaims, AskForNumbersThatThereAre) {
     statistics::SetupStatistics none;
     none.runs.emplace_back();
+    none.runs.front().setup.law = "traction";
     none.runs.front().equal_kPa.assign(1, {});
     none.runs.front().area_kPa.assign(1, {});
     MeasuredSetups measured_setups;
@@ -214,36 +216,87 @@ TEST(PaperClaims, AskForNumbersThatThereAre) {
     EXPECT_NO_THROW(static_cast<void>(judge_claims(table, measured_setups)));
 }
 
-/// Each claim with numbers that meet it, and with numbers that do not.
+/// The verdict on one claim where the compared number, x, x - 0 or x / 1, has this mean and error
+/// in the claim's unit.
+Verdict verdict_on(const ClaimTable& table, const Claim& claim, double mean, double error) {
+    MeasuredSetups setups;
+    const auto add = [&](const Quantity& quantity, double value, double value_error) {
+        MeasuredSetup& setup = setups[quantity.setup];
+        setup.runs.resize(2);
+        setup.runs[0].seed = 1;
+        setup.runs[1].seed = 2;
+        // the standard error of two values is half their distance
+        setup.numbers.push_back(
+            number(quantity.number, {value - value_error, value + value_error}));
+    };
+    add(claim.measured, mean / claim.factor, error / claim.factor);
+    if (claim.minus) add(*claim.minus, 0.0, 0.0);
+    if (claim.over) add(*claim.over, 1.0, 0.0);
+    ClaimTable one = table;
+    one.claims = {claim};
+    return judge_claims(one, setups).front().verdict;
+}
+
+/// Each claim with numbers that meet it, and with numbers that do not, on each side that it has,
+/// and with errors that are too small and large enough to make up for the distance.
 TEST(PaperClaims, EachVerdictFlipsWithItsNumber) {
     const ClaimTable table = paper();
     for (const Claim& claim : table.claims) {
         if (!claim.undecidable.empty()) continue;
-        const double inside = std::isinf(claim.paper.min)   ? claim.paper.max - 1e-3
-                              : std::isinf(claim.paper.max) ? claim.paper.min + 1e-3
-                                                            : claim.paper.min;
-        const double outside = std::isinf(claim.paper.min)
-                                   ? claim.paper.max + claim.tolerance + 1e-3
-                                   : claim.paper.min - claim.tolerance - 1e-3;
-        for (const bool is_met : {true, false}) {
-            const double wanted = (is_met ? inside : outside) / claim.factor;
-            // The compared number is x, x - 0 or x / 1.
-            MeasuredSetups setups;
-            const auto add = [&](const Quantity& quantity, double value) {
-                MeasuredSetup& setup = setups[quantity.setup];
-                setup.runs.resize(1);
-                setup.numbers.push_back({quantity.number, "1", {value, 0.0, 1}, {value}});
-            };
-            add(claim.measured, wanted);
-            if (claim.minus) add(*claim.minus, 0.0);
-            if (claim.over) add(*claim.over, 1.0);
-            ClaimTable one = table;
-            one.claims = {claim};
-            EXPECT_EQ(judge_claims(one, setups).front().verdict,
-                      is_met ? Verdict::agrees : Verdict::differs)
-                << claim.id;
+        SCOPED_TRACE(claim.id);
+        const Range accepted = claim.accepted();
+        for (const int side : {-1, 1}) {
+            const double bound = side < 0 ? accepted.min : accepted.max;
+            const double end = side < 0 ? claim.paper.min : claim.paper.max;
+            if (std::isinf(bound)) continue;
+            const double step = 1e-3 * std::max(1.0, std::abs(bound));
+            const double outside = bound + side * step;
+            const double distance = std::abs(outside - end);
+            EXPECT_EQ(verdict_on(table, claim, end - side * 1e-9, 0.0), Verdict::agrees);
+            EXPECT_EQ(verdict_on(table, claim, outside, 0.0), Verdict::differs);
+            EXPECT_EQ(verdict_on(table, claim, outside, 0.4 * distance), Verdict::differs);
+            EXPECT_EQ(verdict_on(table, claim, outside, 0.6 * distance),
+                      claim.paper.is_one_sided() ? Verdict::differs : Verdict::agrees);
         }
     }
+}
+
+TEST(JudgeClaims, SaysWhatAKeptReportDoesNotHave) {
+    const ClaimTable table = parse_claims(R"(
+[[setup]]
+name = "a"
+scene = "a.toml"
+seeds = [1, 2]
+[[setup]]
+name = "b"
+scene = "b.toml"
+seeds = [1, 2]
+[[claim]]
+id = "new"
+source = "s"
+says = "t"
+setup = "a"
+number = "y"
+minus = { setup = "b" }
+remark = "of new cells"
+between = [1, 2]
+tolerance_factor = 2
+)",
+                                          "t.claims");
+    MeasuredSetups setups{{"a", measured({number("x", {1.0, 3.0})})},
+                          {"b", measured({number("y", {1.0, 3.0})})}};
+    EXPECT_THROW(static_cast<void>(judge_claims(table, setups)), Error);
+    setups.at("a").is_kept = true;
+    const auto judged = judge_claims(table, setups);
+    EXPECT_EQ(judged[0].verdict, Verdict::no_data);
+    EXPECT_EQ(judged[0].reason, "the report that a is kept from does not have 'y'");
+    EXPECT_EQ(command_of(table.claims[0]), "spheroscope reproduce --full --only a --only b");
+    const std::string page = claims_markdown(judged, setups);
+    for (const char* part : {"(of new cells)", "| factor 2 |", "`spheroscope reproduce --full"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    const std::string file = claims_report(judged, setups).csv_text({});
+    for (const char* part : {"of new cells", "factor 2", "spheroscope reproduce --full"})
+        EXPECT_NE(file.find(part), std::string::npos) << part;
 }
 
 }  // namespace
