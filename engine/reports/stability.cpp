@@ -12,10 +12,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <string_view>
 
 namespace spheroscope::reports {
 namespace {
@@ -51,7 +53,7 @@ void check_rules(const scene::Scene& scene) {
 
 std::string words_of(const scene::Stability& rule) {
     std::string reason;
-    if (!rule.names.empty()) reason = fmt::format(", naming {}", fmt::join(rule.names, ", "));
+    if (!rule.names.empty()) reason = fmt::format(", naming '{}'", fmt::join(rule.names, "', '"));
     if (rule.within_s > 0.0) reason += fmt::format(", within {:g} s", rule.within_s);
     std::string bounds;
     if (rule.largest_step_h0 > 0.0)
@@ -86,12 +88,27 @@ void judge_end(const scene::Stability& rule, StabilityRow& row) {
                                            row.pull_off_over_W, rule.pull_off));
 }
 
+/// The text has these words, and not as a part of others: 'cell' is not in 'cells'.
+bool says(std::string_view text, std::string_view words) {
+    const auto is_of_a_word = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    };
+    for (std::size_t at = text.find(words); at != std::string_view::npos;
+         at = text.find(words, at + 1)) {
+        const std::size_t end = at + words.size();
+        if ((at == 0 || !is_of_a_word(text[at - 1])) &&
+            (end == text.size() || !is_of_a_word(text[end])))
+            return true;
+    }
+    return false;
+}
+
 void judge_stop(const scene::Stability& rule, StabilityRow& row) {
     if (rule.outcome == scene::StabilityOutcome::ends)
         row.failures.push_back(fmt::format("{} at t = {:g} s, and should have come to its end: {}",
                                            row.outcome(), row.run.time_s, row.run.message));
     for (const std::string& word : rule.names)
-        if (row.run.message.find(word) == std::string::npos)
+        if (!says(row.run.message, word))
             row.failures.push_back(
                 fmt::format("the reason does not name '{}': {}", word, row.run.message));
     if (row.run.message.empty()) row.failures.push_back("stopped without a reason");
@@ -101,6 +118,9 @@ void judge_stop(const scene::Stability& rule, StabilityRow& row) {
 }
 
 constexpr double k_longer_without_time = 10.0;
+/// The engine measures as often without being asked, and steps end there: outputs at these times
+/// change no step.
+constexpr double k_outputs_every_s = 1.0;
 
 /// Runs a scene that has loaded. What the engine refuses is noted, not thrown: it may be expected.
 void run_row(scene::Scene scene, const scene::Stability& rule, const StabilityOptions& options,
@@ -111,6 +131,9 @@ void run_row(scene::Scene scene, const scene::Stability& rule, const StabilityOp
         if (scene.cytosol) scene.cytosol->controller = scene::VolumeController::exact;
         // Nor does it come to the end of a motion in the motion's time: its steps grow until there.
         for (scene::Stage& stage : scene.stages) stage.duration_s *= k_longer_without_time;
+    } else {
+        for (scene::Stage& stage : scene.stages)
+            if (stage.every_s == 0.0) stage.every_s = k_outputs_every_s;
     }
     scene = with_report_fields(scene);
     row.largest_step_h0 = row.force_change = row.pull_off_over_W = k_undefined;
@@ -137,7 +160,7 @@ void run_row(scene::Scene scene, const scene::Stability& rule, const StabilityOp
     if (rule.largest_step_h0 > 0.0)
         row.largest_step_h0 = row.run.largest_step_um / scene.contact->h0_um;
     if (!row.is_refused && row.run.is_complete()) {
-        row.measures = check_expectations(scene, row.run.end.totals);
+        row.measures = check_expectations(scene, row.run);
         judge_end(rule, row);
     } else {
         judge_stop(rule, row);
@@ -168,6 +191,16 @@ std::string StabilityRow::outcome() const {
     if (!was_run && !is_refused) return "not run";
     if (is_refused) return "refused";
     return run.is_complete() ? "ended" : "stopped";
+}
+
+std::vector<Expectation> check_expectations(const scene::Scene& scene, const MeasuredRun& run) {
+    std::vector<Expectation> measures = spheroscope::check_expectations(scene, run.end.totals);
+    for (Expectation& measure : measures) {
+        if (measure.measure != "n_flipped_triangles") continue;
+        measure.value = run.most_flipped_triangles;
+        measure.met = measure.value >= measure.min && measure.value <= measure.max;
+    }
+    return measures;
 }
 
 const scene::Stability* stability_rule(const scene::Scene& scene, const MethodRow& method) {

@@ -20,7 +20,8 @@ struct StabilityRow {
     bool was_run = false;     ///< false: the time limit or a signal came first
     bool is_refused = false;  ///< the scene, or the engine, refused to begin; run.message says why
     MeasuredRun run;          ///< without its samples
-    std::vector<Expectation> measures;  ///< of [expect]; only if the run came to its end
+    /// Of [expect]; only if the run came to its end. n_flipped_triangles is the most at any output.
+    std::vector<Expectation> measures;
     double largest_step_h0 = 0.0;       ///< NaN unless a bound is asked for
     double force_change = 0.0;          ///< likewise
     double pull_off_over_W = 0.0;       ///< likewise
@@ -47,12 +48,17 @@ struct StabilityOptions {
 [[nodiscard]] const scene::Stability* stability_rule(const scene::Scene& scene,
                                                      const MethodRow& method);
 
-/// Runs every scene, or all of its variants, with every method of the table. Throws Error if a
-/// scene itself (without a variant) does not load, has no rule for a method, or names unknown
-/// methods.
+/// Runs every scene, or all of its variants, with every method of the table; methods that move in
+/// time give an output every second. Throws Error if a scene itself (without a variant) does not
+/// load, has no rule for a method, or names unknown methods.
 [[nodiscard]] std::vector<StabilityRow>
 check_stability(const std::vector<std::string>& files,
                 const std::vector<scene::Override>& overrides, const StabilityOptions& options);
+
+/// [expect] against a run. A triangle that flips and comes back was flipped all the same: of
+/// n_flipped_triangles the most at any output counts.
+[[nodiscard]] std::vector<Expectation> check_expectations(const scene::Scene& scene,
+                                                          const MeasuredRun& run);
 
 /// Mean accepted step of every run that was as expected, over the key that the variants change: one
 /// panel for each scene of three variants or more.

@@ -1,6 +1,7 @@
 #include "engine/reports/step_ladder.hpp"
 
 #include "engine/reports/error_measures.hpp"
+#include "engine/solve/explicit_bound.hpp"
 
 #include <fmt/format.h>
 
@@ -13,8 +14,6 @@ namespace spheroscope::reports {
 namespace {
 
 constexpr double k_undefined = std::numeric_limits<double>::quiet_NaN();
-/// |1 - dt rate| <= 1 for the fastest mode of forward Euler.
-constexpr double k_stable_dt_times_rate = 2.0;
 
 /// An error that no accuracy explains: the run has left the motion.
 struct Bound {
@@ -80,7 +79,8 @@ class Climb {
             const MeasuredRun done = run(dt_s);
             if (!done.is_complete()) continue;
             if (done.fastest_rate_per_s > 0.0)
-                ladder_.estimate_s = k_stable_dt_times_rate / done.fastest_rate_per_s;
+                ladder_.estimate_s =
+                    ExplicitBound::k_largest_dt_times_rate / done.fastest_rate_per_s;
             return;
         }
     }
@@ -122,6 +122,11 @@ class Climb {
 };
 
 }  // namespace
+
+bool is_estimate_good(const StepLadder& ladder) {
+    const double ratio = ladder.estimate_over_stable();
+    return ratio >= k_least_estimate_over_stable && ratio <= k_most_estimate_over_stable;
+}
 
 std::vector<StepLadder> climb_steps(const scene::Scene& scene, const StepLadderOptions& options) {
     std::vector<StepLadder> ladders;

@@ -24,8 +24,18 @@ struct StepLadder {
     std::vector<StepTrial> trials;     ///< in the order in which they were made
     double largest_stable_s = 0.0;     ///< NaN: none was found
     double smallest_unstable_s = 0.0;  ///< NaN likewise
-    double estimate_s = 0.0;           ///< 2 / fastest rate, the smallest during the run; NaN: none
+    double estimate_s = 0.0;  ///< that the program lets through, the least in the run; NaN: none
+
+    /// NaN where either is missing.
+    [[nodiscard]] double estimate_over_stable() const { return estimate_s / largest_stable_s; }
 };
+
+/// What the program's estimate may be of the largest step that holds: never more, as a run would
+/// blow up unrefused, and not so little that many steps that hold are refused.
+inline constexpr double k_least_estimate_over_stable = 0.7;
+inline constexpr double k_most_estimate_over_stable = 1.0;
+/// False as well where there is no ratio.
+[[nodiscard]] bool is_estimate_good(const StepLadder& ladder);
 
 struct StepLadderOptions {
     int threads = 1;

@@ -11,6 +11,9 @@ class ExplicitBound {
   public:
     /// Contacts spread and cells flatten in about a second.
     static constexpr double k_age_s = 0.2;
+    /// Of a step that is let through. A mode with the rate r is stable up to dt r = 2, and the rate
+    /// is estimated from below, to one or two percent.
+    static constexpr double k_largest_dt_times_rate = 0.95 * 2.0;
 
     /// Whether the estimate of this state is too old; then evaluate with its stiffness and
     /// estimate.

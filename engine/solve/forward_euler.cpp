@@ -20,8 +20,6 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-/// The rate is estimated from below, to one or two percent.
-constexpr double k_largest_dt_times_rate = 0.95 * 2.0;
 /// Of the step that follows the estimate: the fastest mode still falls by half in every step, and
 /// the rate may grow by a quarter before it is estimated again.
 constexpr double k_followed_dt_times_rate = 0.8 * 2.0;
@@ -74,9 +72,10 @@ StepOutcome ForwardEuler::advance(System& system, State& state, double limit_s,
                 : parameters_.dt_s;
     const double end_s = step_end_s(state.time_s, wanted_s, limit_s);
     outcome.dt_s = end_s - state.time_s;
-    if (estimates && !(outcome.dt_s * rate_per_s <= k_largest_dt_times_rate)) {
-        outcome.trouble = bound_.too_large(system, outcome.dt_s,
-                                           k_largest_dt_times_rate / rate_per_s, parameters_.loc);
+    constexpr double most = ExplicitBound::k_largest_dt_times_rate;
+    if (estimates && !(outcome.dt_s * rate_per_s <= most)) {
+        outcome.trouble =
+            bound_.too_large(system, outcome.dt_s, most / rate_per_s, parameters_.loc);
         return outcome;
     }
 

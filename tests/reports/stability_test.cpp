@@ -1,0 +1,63 @@
+#include "engine/reports/stability.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace spheroscope::reports {
+namespace {
+
+constexpr const char* k_drop = R"([cells]
+arrangement = "single"
+nodes = 42
+radius = 9
+[start]
+stretch = [1.05, 0.98, 0.97]
+[cortex.tension]
+gamma = 0.5
+[cortex.viscosity]
+eta = 1
+[cytosol]
+[medium]
+[[stage]]
+kind = "relax"
+duration = "2.5 s"
+[expect]
+n_flipped_triangles = { max = 0 }
+volume_error = { max = 0.1 }
+)";
+
+TEST(Stability, ATriangleThatHasFlippedAndComeBackIsNotForgotten) {
+    const scene::Scene scene = scene::parse_scene(k_drop, "drop.toml");
+    MeasuredRun run;
+    run.end.totals.n_flipped_triangles = 0;
+    for (const Expectation& measure : check_expectations(scene, run)) EXPECT_TRUE(measure.met);
+    run.most_flipped_triangles = 3;
+    const auto measures = check_expectations(scene, run);
+    ASSERT_EQ(measures.size(), 2U);
+    EXPECT_EQ(measures[0].measure, "n_flipped_triangles");
+    EXPECT_EQ(measures[0].value, 3.0);
+    EXPECT_FALSE(measures[0].met);
+    EXPECT_TRUE(measures[1].met) << "other measures are those of the end";
+}
+
+TEST(Stability, LooksAtMethodsThatMoveInTimeEverySecondWithoutChangingTheirSteps) {
+    const std::string text = std::string(k_drop) + "[stability.all]\noutcome = \"ends\"\n";
+    const scene::Scene scene = scene::parse_scene(text, "drop.toml");
+    const std::string file = testing::TempDir() + "/drop_of_stability.toml";
+    std::FILE* out = std::fopen(file.c_str(), "w");
+    ASSERT_NE(out, nullptr);
+    std::fputs(text.c_str(), out);
+    std::fclose(out);
+    for (const StabilityRow& row : check_stability({file}, {}, {})) {
+        EXPECT_TRUE(row.met()) << row.run.message;
+        if (!row.method->moves_in_time()) continue;
+        scene::Scene own = with_report_fields(scene);
+        own.method.name = row.method->name;
+        EXPECT_EQ(row.run.state_hash, measure_run(own, {}).state_hash) << row.method->name;
+    }
+    std::remove(file.c_str());
+}
+
+}  // namespace
+}  // namespace spheroscope::reports
