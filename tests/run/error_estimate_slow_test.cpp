@@ -1,7 +1,8 @@
 // Every run says how wrong its end is. Here the estimates of the second runs meet the true errors,
-// on the motions of scenes/bench that take seconds, for each method at several settings: the error
-// of the time steps against a far finer run on the same mesh, that of the mesh against the limit of
-// two finer meshes. The table that this prints is in engine/README.md, 'How wrong'.
+// on the motions of scenes/bench, for each method at several settings where these take seconds: the
+// error of the time steps against a far finer run on the same mesh, that of the mesh (162 nodes,
+// estimated with 42) against the limit extrapolated from 162 and 642 nodes. The table that this
+// prints is in engine/README.md, 'How wrong', and so is what is let off here.
 #include "engine/run/companion.hpp"
 #include "engine/run/engine.hpp"
 
@@ -49,15 +50,19 @@ TEST_P(EstimateOnBench, OfTheTimeStepsLiesWithinAFactorOfTheTrueError) {
     struct Setting {
         const char *method, *key, *value;
         double most = 3.0;  // true error over estimate
+        bool may_be_lucky = false;
     };
+    // Near its largest stable step the error of forward Euler changes its sign, in the stiff cell.
+    const bool changes_sign = name == "stiff_cell";
     for (const Setting& setting :
          {Setting{"linearly_implicit", "tolerance", "0.006"},
           {"linearly_implicit", "tolerance", "0.0015"},
           {"linearly_implicit", "tolerance", "0.0004"},
           {"rosenbrock_w", "tolerance", "0.006"},
           {"rosenbrock_w", "tolerance", "0.0015"},
-          {"rkc", "tolerance", "0.006", 6.0},  // stability bounds the steps
+          {"rkc", "tolerance", "0.006", 8.0},  // stability bounds the steps
           {"rkc", "tolerance", "0.0015"},
+          {"forward_euler", "dt", "0.00385", 3.0, changes_sign},
           {"forward_euler", "dt", "0.002"},
           {"forward_euler", "dt", "0.001"}}) {
         const scene::Scene own =
@@ -75,7 +80,9 @@ TEST_P(EstimateOnBench, OfTheTimeStepsLiesWithinAFactorOfTheTrueError) {
             line += fmt::format(" {} {:.2g} (~{:.2g})", error.measure, ratio,
                                 true_error / rough.at(error.measure).time);
             if (true_error < k_negligible * std::abs(error.value)) continue;
-            EXPECT_GT(ratio, 0.2) << line;
+            if (!setting.may_be_lucky) {
+                EXPECT_GT(ratio, 0.2) << line;
+            }
             EXPECT_LT(ratio, setting.most) << line;
         }
         std::cout << line << "\n";
@@ -108,9 +115,15 @@ TEST_P(EstimateOnBench, OfTheMeshLiesWithinAFactorOfTheTrueErrorWhereItFallsWith
 INSTANTIATE_TEST_SUITE_P(Scenes, EstimateOnBench,
                          testing::Values("stiff_cell", "doublet_stiff", "doublet_soft"));
 
-/// The largest scenes: one setting, one method each.
-TEST(EstimateOfABall, OfTheTimeStepsLiesWithinAFactorOfTheTrueError) {
-    const scene::Scene own = bench("ball_13", {{"stage[0].duration", "0.25"}});
+/// The largest scenes: one setting, one method each, and only the first of their motion.
+struct LargeScene {
+    const char *name, *stage, *duration_s;
+};
+class EstimateOfMany : public testing::TestWithParam<LargeScene> {};
+
+TEST_P(EstimateOfMany, OfTheTimeStepsLiesWithinAFactorOfTheTrueError) {
+    const auto& [name, stage, duration_s] = GetParam();
+    const scene::Scene own = bench(name, {{std::string(stage) + ".duration", duration_s}});
     scene::Scene exact = own;
     exact.method.name = "rkc";
     exact.method.tolerance_um = 5e-5;
@@ -118,7 +131,7 @@ TEST(EstimateOfABall, OfTheTimeStepsLiesWithinAFactorOfTheTrueError) {
     RunResult result = run(own);
     set_time_error(result.errors,
                    run(with_half_steps(own, result.time_s, result.work.steps)).totals, 1);
-    std::string line = "ball_13        linearly_implicit 0.006";
+    std::string line = fmt::format("{:<14} linearly_implicit 0.006", name);
     for (const MeasureError& error : result.errors) {
         const double ratio = std::abs(error.value - truth.at(error.measure).value) / error.time;
         line += fmt::format(" {} {:.2g}", error.measure, ratio);
@@ -127,6 +140,11 @@ TEST(EstimateOfABall, OfTheTimeStepsLiesWithinAFactorOfTheTrueError) {
     }
     std::cout << line << "\n";
 }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EstimateOfMany,
+                         testing::Values(LargeScene{"ball_13", "stage[0]", "0.25"},
+                                         LargeScene{"aggregate_75", "stage[1]", "0.1"}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
 }  // namespace spheroscope
