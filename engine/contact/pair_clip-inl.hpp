@@ -23,6 +23,7 @@
 #endif
 
 #include "engine/contact/pair_lanes.hpp"
+#include "engine/contact/pair_limits.hpp"
 
 #include <hwy/highway.h>
 
@@ -287,10 +288,10 @@ template <class D, class VI> HWY_NOINLINE void clip_pairs(D d, const Task<hn::TF
     // Same limits as in contact_of_triangles.
     const V twice_p = cross(d, edge_p[0], p[2] - p[0]), twice_q = cross(d, edge_q[0], q[2] - q[0]);
     const V smallest =
-        hn::Set(d, static_cast<T>(1e-6)) * hn::Max(hn::Abs(twice_p), hn::Abs(twice_q));
+        hn::Set(d, static_cast<T>(k_edge_on)) * hn::Max(hn::Abs(twice_p), hn::Abs(twice_q));
     const M is_seen = hn::And(hn::Gt(twice_p, smallest), hn::Gt(twice_q, smallest));
-    const M touches =
-        hn::And(hn::And(has_sides, is_seen), hn::Ge(m.s, hn::Set(d, static_cast<T>(1e-9))));
+    const M touches = hn::And(hn::And(has_sides, is_seen),
+                              hn::Ge(m.s, hn::Set(d, static_cast<T>(k_smallest_polygon_um2))));
     const V x = m.sx / m.s, y = m.sy / m.s;
     const V mean_overlap = hn::MulAdd(dx, x, hn::MulAdd(dy, y, d_origin));
     const M is_deep = hn::Gt(mean_overlap, hn::Set(d, task.largest_overlap));

@@ -1,5 +1,7 @@
 #include "engine/contact/triangle_pair.hpp"
 
+#include "engine/contact/pair_limits.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -82,11 +84,6 @@ Moments moments_of(const Polygon& polygon) {
     }
     return m;
 }
-
-/// Below this a polygon is rounding, not an area; cells are some 100 um^2.
-constexpr double k_smallest_polygon_um2 = 1e-9;
-/// Below this share of its area a projected triangle is seen edge-on.
-constexpr double k_edge_on = 1e-6;
 
 /// The contact plane of two triangles and what is cut out of it.
 struct Clipped {
