@@ -13,6 +13,7 @@ namespace {
 constexpr const char* k_scene = R"(
 [cells]
 arrangement = "single"
+radius = "9 um"
 nodes = 42
 [cortex.tension]
 gamma = "0.5 nN/um"
