@@ -213,6 +213,9 @@ MovieWriter::Settings writer_settings(const MovieSettings& settings, const Surve
     if (beside != nullptr)
         result.comment +=
             fmt::format("; beside it: scene {}; seed {}", beside->scene_name, beside->seed);
+    if (!header.command_line.empty()) result.comment += "; run by: " + header.command_line;
+    if (beside != nullptr && !beside->command_line.empty())
+        result.comment += "; beside it by: " + beside->command_line;
     result.description = header.resolved_scene;
     result.chapters = chapters(survey, pictures);
     result.n_pictures = static_cast<int>(pictures.size());

@@ -221,7 +221,8 @@ TEST(Movie, HasAChapterForEachStageAndCarriesItsSceneAndRange) {
     EXPECT_NE(texts.find("TAG:description=title = \"Synthetic aggregate\"\n"), std::string::npos)
         << texts;
     EXPECT_NE(
-        texts.find("scene synthetic.toml; seed 42; frames 0 to 7; mean_stress -100 to 100 Pa"),
+        texts.find("scene synthetic.toml; seed 42; frames 0 to 7; mean_stress -100 to 100 Pa; "
+                   "run by: spheroscope run synthetic.toml --seed 42\n"),
         std::string::npos)
         << texts;
 }
@@ -272,6 +273,12 @@ TEST(Movie, OfTwoRunsShowsBothWithOneRangeAndOneScale) {
     for (int y = 0; y < 180; ++y)
         for (int x = 0; x < 320; ++x) is_equal = is_equal && alone.at(x, y) == file.image.at(x, y);
     EXPECT_TRUE(is_equal);
+    const std::string comment =
+        output_of("ffprobe -v error -show_entries format_tags=comment -of default=nw=1:nk=1 " +
+                  settings.movie_path.string());
+    EXPECT_TRUE(comment.ends_with("run by: spheroscope run synthetic.toml --seed 42; "
+                                  "beside it by: spheroscope run synthetic.toml --seed 42\n"))
+        << comment;
     EXPECT_EQ(make_comparison(frames, wilder, settings).n_drawn, 0);
     DriftingPair other(4, 0.04F, 1.0);
     EXPECT_EQ(make_comparison(frames, other, settings).n_drawn, 4)

@@ -104,6 +104,7 @@ std::shared_ptr<RunHeader> make_header(int n_cells, int n_nodes) {
     header->resolved_scene = "title = \"Synthetic aggregate\"\n";
     header->seed = 42;
     header->version = "test";
+    header->command_line = "spheroscope run synthetic.toml --seed 42";
     header->fields = {&k_node_field, &k_triangle_field, &k_cell_field};
     header->radius_um.assign(static_cast<std::size_t>(n_cells), 9.0F);
     return header;
