@@ -37,10 +37,12 @@ void paint_bands(vtkContext2D& painter, const PlotArea& area,
 void paint_band_names(vtkContext2D& painter, const PlotArea& area,
                       const std::vector<reports::Plot::Band>& bands) {
     for (const reports::Plot::Band& band : bands) {
-        const double above = area.y(band.high) + 10.0;
-        write(painter, area.left() + 8.0,
-              above + 8.0 < area.top() ? above : area.y(band.low) - 10.0, band.name, 12, k_band_ink,
-              false);
+        // at the band's upper edge: inside where it is wide enough, else above it or below it
+        const double low = area.y(band.low), high = area.y(band.high);
+        const bool is_wide = high - low > 24.0;
+        const double outside = high + 18.0 < area.top() ? high + 10.0 : low - 10.0;
+        write(painter, area.left() + 8.0, is_wide ? high - 10.0 : outside, band.name, 12,
+              k_band_ink, false);
     }
 }
 

@@ -64,24 +64,8 @@ std::vector<std::string> remarks_on(const std::vector<SetupStatistics>& setups,
     std::vector<std::string> remarks;
     for (const LeftOut& run : left_out)
         remarks.push_back(fmt::format("left out: {}: {}", run.file, run.reason));
-    std::set<std::string> versions;
-    std::size_t most = 0;
-    for (const SetupStatistics& setup : setups) {
-        most = std::max(most, setup.runs.size());
-        for (const RunStatistics& run : setup.runs) {
-            versions.insert(run.version);
-            if (run.outcome.empty())
-                remarks.push_back(run.file + " has not ended: its last frame is shown");
-            else if (run.outcome == "cap")
-                remarks.push_back(run.file + " ended at its cap of time, not at rest");
-        }
-    }
-    for (const SetupStatistics& setup : setups)
-        if (setup.runs.size() < most)
-            remarks.push_back(fmt::format("{} has {} seeds, others have {}", setup.label,
-                                          setup.runs.size(), most));
-    if (versions.size() > 1)
-        remarks.push_back(fmt::format("runs of several versions: {}", fmt::join(versions, ", ")));
+    for (std::string& remark : figures::remarks_on_runs(setups))
+        remarks.push_back(std::move(remark));
     return remarks;
 }
 

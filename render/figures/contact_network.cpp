@@ -17,16 +17,19 @@ using statistics::TailScale;
 
 constexpr double k_undefined = std::numeric_limits<double>::quiet_NaN();
 
-/// The fitted law from f = 1 to the largest force.
-reports::Plot::Series fit_line(const TailFit& fit, const std::string& of, double largest) {
+/// The fitted law from f = 1 to the largest force, or to where it leaves what densities there are.
+reports::Plot::Series fit_line(const TailFit& fit, const std::string& of, double largest,
+                               double lowest_density) {
     reports::Plot::Series line{of + " fit", {}, {}};
     line.line = reports::Plot::Line::dashed;
     line.has_marks = false;
     line.colour_of = of;
     for (int i = 0; i <= 40; ++i) {
         const double f = 1.0 + (largest - 1.0) * i / 40.0;
+        const double density = fit.a * std::exp(-fit.b * std::pow(f, fit.beta));
+        if (density < 0.3 * lowest_density) break;
         line.x.push_back(f);
-        line.y.push_back(fit.a * std::exp(-fit.b * std::pow(f, fit.beta)));
+        line.y.push_back(density);
     }
     return line;
 }
@@ -79,12 +82,23 @@ void add_density_panel(Figure& figure, Setups setups, const std::vector<TailFit>
             series.y.push_back(histogram.density(bin));
             series.error.push_back(histogram.density_error(bin));
         }
+        const double lowest = *std::min_element(series.y.begin(), series.y.end());
         panel.series.push_back(std::move(series));
         if (fits[s].exists())
             panel.series.push_back(
-                fit_line(fits[s], setup.label, *std::max_element(f.begin(), f.end())));
+                fit_line(fits[s], setup.label, *std::max_element(f.begin(), f.end()), lowest));
     }
     figure.plot.panels.push_back(std::move(panel));
+}
+
+/// ", under the bead"; ", without load"; of some runs each: nothing, the caption has the stages.
+std::string load_text(Setups setups) {
+    bool is_some_loaded = false, is_some_free = false;
+    for (const SetupStatistics& setup : setups)
+        for (const statistics::RunStatistics& run : setup.runs)
+            (run.load.empty() ? is_some_free : is_some_loaded) = true;
+    if (is_some_loaded == is_some_free) return "";
+    return is_some_loaded ? ", under the bead" : ", without load";
 }
 
 }  // namespace
@@ -128,17 +142,17 @@ Figure contact_network(Setups setups) {
     // The rows of panel d are there already; the panel has those with b = 1.
     Figure panel_d;
     add_ratio_panel(panel_d, setups, {"d", "beta", "1", "", ""},
-                    "d  exponent of P(f) ~ exp(−f^β), f > 1", "β",
+                    "d  exponent of P(f) ~ exp(−fᵝ), f > 1", "β",
                     [&](const SetupStatistics& setup) -> statistics::Estimate {
                         const TailFit& fit = fits[static_cast<std::size_t>(&setup - setups.data())];
                         if (!fit.exists()) return {};
                         return {fit.beta, fit.beta_error, static_cast<int>(setup.runs.size())};
                     });
     figure.plot.panels.push_back(panel_d.plot.panels.front());
-    finish(figure, setups, "Fig. 5: contact network");
+    finish(figure, setups, "Fig. 5: contact network" + load_text(setups));
     figure.plot.caption.emplace_back(
         "c: Doane's bins over the touching pairs of all seeds, f over each run's mean; bars: "
-        "counting error; dashed: fit of a exp(−f^β). d: bars: bootstrap.");
+        "counting error; dashed: fit of a exp(−fᵝ). d: bars: bootstrap.");
     return figure;
 }
 

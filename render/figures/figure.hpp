@@ -23,6 +23,10 @@ struct Figure {
     std::vector<std::string> missing;  ///< what could not be drawn, of which run, and why
 };
 
+/// What a reader of any figure has to know about the runs behind it: those that have not ended or
+/// ended at their cap, setups with fewer seeds than others, runs of several versions.
+[[nodiscard]] std::vector<std::string> remarks_on_runs(Setups setups);
+
 /// One row of the table of figures.
 struct FigureRow {
     std::string_view name;   ///< of its files: "fig2"

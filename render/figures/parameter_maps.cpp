@@ -205,9 +205,10 @@ Figure parameter_maps(Setups setups) {
             fmt::format("{}: {} of {} points have runs", grid.name, points_on(grid, setups),
                         grid.gamma_over_omega.size() * grid.Et_over_omega.size()));
     finish(figure, setups, "Fig. 7: over γ/ω and Et/ω");
-    figure.plot.caption.emplace_back(
-        "± standard error over seeds. † outside of the ranges of Table 2. One colour range for all "
-        "maps of a measure.");
+    figure.plot.caption.push_back(fmt::format(
+        "± standard error over seeds. † outside of the ranges of Table 2. {}",
+        grids.size() > 1 ? "One colour range for both maps of a measure."
+                         : "Colours range over the values of this picture's maps alone."));
     return figure;
 }
 

@@ -69,13 +69,29 @@ void add_profile_panel(Figure& figure, Setups setups, const Place& place, const 
     figure.plot.panels.push_back(std::move(panel));
 }
 
+namespace {
+
+/// E t / omega comes from a division: 0.75 has several values.
+bool is_same_ratio(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
+
+/// Those of the setups, ascending.
+std::vector<double> different_ratios(Setups setups) {
+    std::vector<double> ratios;
+    for (const statistics::SetupStatistics& setup : setups)
+        if (std::isfinite(setup.setup().Et_over_omega))
+            ratios.push_back(setup.setup().Et_over_omega);
+    std::sort(ratios.begin(), ratios.end());
+    ratios.erase(std::unique(ratios.begin(), ratios.end(), is_same_ratio), ratios.end());
+    return ratios;
+}
+
+}  // namespace
+
 void add_ratio_panel(Figure& figure, Setups setups, const Place& place, const std::string& title,
                      const std::string& y_title, const EstimateOf& estimate) {
     reports::Plot::Panel panel{title, "Et/ω", y_title};
     panel.y_axis.is_logarithmic = false;
-    std::set<double> ratios;
-    for (const statistics::SetupStatistics& setup : setups)
-        if (std::isfinite(setup.setup().Et_over_omega)) ratios.insert(setup.setup().Et_over_omega);
+    const std::vector<double> ratios = different_ratios(setups);
     for (const double ratio : ratios)
         panel.x_axis.categories.push_back(statistics::ratio_text(ratio));
     std::map<std::string, std::size_t> series_of;
@@ -85,7 +101,9 @@ void add_ratio_panel(Figure& figure, Setups setups, const Place& place, const st
         here.x_name = "Et_over_omega";
         here.x = statistics::ratio_text(setup.setup().Et_over_omega);
         add_row(figure.table, setup, here, value, k_undefined, 0);
-        const auto ratio = ratios.find(setup.setup().Et_over_omega);
+        const auto ratio = std::find_if(ratios.begin(), ratios.end(), [&](double r) {
+            return is_same_ratio(r, setup.setup().Et_over_omega);
+        });
         if (!std::isfinite(value.mean) || ratio == ratios.end()) {
             figure.missing.push_back(fmt::format("panel {}, {}: {} is undefined", place.panel,
                                                  setup.label,
@@ -120,18 +138,23 @@ void finish(Figure& figure, Setups setups, const std::string& title) {
     figure.plot.title = title;
     figure.plot.legend_above = true;
     int n_runs = 0;
-    bool has_errors = false;
+    std::size_t fewest = std::numeric_limits<std::size_t>::max(), most = 0;
     std::set<std::string> stages;
     for (const statistics::SetupStatistics& setup : setups) {
         n_runs += static_cast<int>(setup.runs.size());
-        has_errors = has_errors || setup.runs.size() > 1;
+        fewest = std::min(fewest, setup.runs.size());
+        most = std::max(most, setup.runs.size());
         for (const statistics::RunStatistics& run : setup.runs) stages.insert(run.stage_name);
     }
-    figure.plot.caption.push_back(
-        fmt::format("{} runs of {} setups at their end (stage: {}). {}", n_runs, setups.size(),
-                    fmt::join(stages, ", "),
-                    has_errors ? "Error bars: standard error over seeds; none with one seed."
-                               : "One seed each: no error bars."));
+    std::string errors;
+    if (std::any_of(figure.plot.panels.begin(), figure.plot.panels.end(),
+                    [](const reports::Plot::Panel& panel) { return !panel.series.empty(); }))
+        errors = most < 2 ? " One seed each: no error bars."
+                          : " Error bars: standard error over seeds, where larger than the mark.";
+    if (most > 1 && fewest < 2) errors += " One seed has none.";
+    figure.plot.caption.push_back(fmt::format("{} runs of {} setups at their end (stage: {}).{}",
+                                              n_runs, setups.size(), fmt::join(stages, ", "),
+                                              errors));
 }
 
 }  // namespace spheroscope::figures

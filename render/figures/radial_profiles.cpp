@@ -10,7 +10,7 @@ namespace spheroscope::figures {
 namespace {
 
 void add_tension_panel(Figure& figure, Setups setups) {
-    reports::Plot::Panel panel{"d  elastic tension by region", "", "γ^eff (mN/m)"};
+    reports::Plot::Panel panel{"d  elastic tension by region", "", "γᵉᶠᶠ (mN/m)"};
     panel.y_axis.is_logarithmic = false;
     for (const statistics::Region region : statistics::k_regions)
         panel.x_axis.categories.emplace_back(name_of(region));
@@ -46,11 +46,11 @@ Figure radial_profiles(Setups setups) {
     figure.plot.columns = 2;
     add_profile_panel(
         figure, setups, {"a", "sigma_h_nearest_cell", "Pa", "", ""},
-        "a  hydrostatic stress, nearest cell", "σ^h (Pa)", k_Pa_per_kPa,
+        "a  hydrostatic stress, nearest cell", "σʰ (Pa)", k_Pa_per_kPa,
         [](const Run& run, std::size_t) -> const auto& { return run.sigma_h_nearest_kPa; });
     add_profile_panel(
         figure, setups, {"b", "sigma_h_inverse_distance", "Pa", "", ""},
-        "b  hydrostatic stress, inverse distance", "σ^h (Pa)", k_Pa_per_kPa,
+        "b  hydrostatic stress, inverse distance", "σʰ (Pa)", k_Pa_per_kPa,
         [](const Run& run, std::size_t) -> const auto& { return run.sigma_h_smooth_kPa; });
     add_profile_panel(
         figure, setups, {"c", "void_fraction", "1", "", ""}, "c  void fraction",

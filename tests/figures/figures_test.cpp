@@ -44,6 +44,47 @@ TEST(Setups, WithOneSeedTwiceAreRefused) {
                  Error);
 }
 
+TEST(RemarksOnRuns, NameCapsUnendedRunsMissingSeedsAndVersions) {
+    EXPECT_TRUE(
+        remarks_on_runs(group_by_setup({made_up_run(1, 8, 1), made_up_run(4, 8, 1)})).empty());
+    auto capped = made_up_run(1, 8, 2);
+    capped.outcome = "cap";
+    auto going_on = made_up_run(1, 8, 3);
+    going_on.outcome = "";
+    auto other = made_up_run(4, 8, 1);
+    other.version = "2";
+    const auto setups = group_by_setup({made_up_run(1, 8, 1), capped, going_on, other});
+    EXPECT_EQ(remarks_on_runs(setups),
+              (std::vector<std::string>{"run_2.h5 ended at its cap of time, not at rest",
+                                        "run_3.h5 has not ended: its last frame is shown",
+                                        "γ/ω = 4, Et/ω = 8 has 1 seeds, others have 3",
+                                        "runs of several versions: 1, 2"}));
+}
+
+TEST(StressStatistics, HaveOneCategoryForEachRatioWhateverItsLastDigits) {
+    const auto setups =
+        group_by_setup({made_up_run(1, 0.75, 1), made_up_run(0.5, std::nextafter(0.75, 1.0), 1),
+                        made_up_run(0.5, 1, 1), made_up_run(0.5, 1, 2)});
+    const Figure figure = stress_statistics(setups);
+    EXPECT_EQ(figure.plot.panels.front().x_axis.categories,
+              (std::vector<std::string>{"0.75", "1"}));
+    EXPECT_NE(figure.plot.caption.front().find("where larger than the mark. One seed has none."),
+              std::string::npos)
+        << figure.plot.caption.front();
+    EXPECT_EQ(parameter_maps(setups).plot.caption.front().find("Error bars"), std::string::npos);
+}
+
+TEST(ContactNetwork, SaysInItsTitleWhetherItIsUnderTheBead) {
+    auto free = made_up_run(1, 8, 1), loaded = made_up_run(4, 8, 1);
+    EXPECT_EQ(contact_network(group_by_setup({loaded})).plot.title,
+              "Fig. 5: contact network, under the bead");
+    free.load.clear();
+    EXPECT_EQ(contact_network(group_by_setup({free})).plot.title,
+              "Fig. 5: contact network, without load");
+    EXPECT_EQ(contact_network(group_by_setup({free, loaded})).plot.title,
+              "Fig. 5: contact network");
+}
+
 TEST(EveryFigure, HasAxesWithTitlesAndEachDrawnPointInItsTable) {
     const auto setups =
         group_by_setup({made_up_run(1, 8, 1), made_up_run(1, 8, 2), made_up_run(4, 8, 1),
@@ -79,7 +120,7 @@ TEST(RadialProfiles, AreInPascalWithTheErrorOverSeeds) {
     const auto setups = two_setups();
     const Figure figure = radial_profiles(setups);
     const reports::Plot::Panel& panel = figure.plot.panels[0];
-    EXPECT_EQ(panel.y_title, "σ^h (Pa)");
+    EXPECT_EQ(panel.y_title, "σʰ (Pa)");
     const reports::Plot::Series& two_seeds = panel.series[0];
     EXPECT_NEAR(two_seeds.x[0], 0.025, 1e-12);
     EXPECT_NEAR(two_seeds.y[0], 1000.0 * (0.025 - 0.6 + 0.015), 1e-6);
@@ -180,10 +221,24 @@ TEST(Numbers, HaveTheDepthsOfTheProfile) {
     };
     EXPECT_NEAR(find("sigma_h_zero_depth"), 50.0 * (1.0 - 0.59), 0.01);
     EXPECT_NEAR(find("sigma_h_zero_depth_pooled"), 50.0 * (1.0 - 0.59), 0.01);
+    EXPECT_NEAR(find("sigma_h_zero_depth_below_farthest_node"), 55.0 - 50.0 * 0.59, 0.01);
+    EXPECT_NEAR(find("sigma_h_peak_depth_pooled"), 50.0 * (1.0 - 1.175), 0.01);
+    EXPECT_NEAR(find("sigma_h_peak_depth_below_farthest_node"), 55.0 - 50.0 * 1.175, 0.01);
+    EXPECT_EQ(find("extent"), 55.0);
     EXPECT_NEAR(find("void_fraction"), 0.0, 1e-12);
     EXPECT_NEAR(find("mean_normal_stress"), -100.0, 1e-9);
     EXPECT_NEAR(find("mean_normal_stress_by_area"), -200.0, 1e-9);
     EXPECT_EQ(find("coordination_Z"), 12.0);
+}
+
+TEST(Numbers, KnowThePeakOfAProfileToHalfABin) {
+    const auto setups = two_setups();
+    ASSERT_EQ(setups[0].runs.size(), 2U);
+    for (const statistics::SetupNumber& number : statistics::numbers_of(setups[0]))
+        if (number.name.starts_with("sigma_h_peak_depth_")) {
+            EXPECT_NEAR(number.estimate.standard_error, 0.5 * 0.05 * 50.0, 1e-12)
+                << number.name << ": no seed moves it";
+        }
 }
 
 }  // namespace

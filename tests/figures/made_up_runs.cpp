@@ -14,6 +14,7 @@ statistics::RunStatistics made_up_run(double gamma_over_omega, double Et_over_om
     run.outcome = "rest";
     run.stage_name = "relax";
     run.R_th_um = 50.0;
+    run.extent_um = 55.0;
     statistics::Setup& setup = run.setup;
     setup.scene_without_seed =
         std::to_string(gamma_over_omega) + " " + std::to_string(Et_over_omega);

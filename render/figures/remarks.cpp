@@ -1,0 +1,35 @@
+// What is said below every figure about its runs.
+#include "render/figures/figure.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace spheroscope::figures {
+
+std::vector<std::string> remarks_on_runs(Setups setups) {
+    std::vector<std::string> remarks;
+    std::set<std::string> versions;
+    std::size_t most = 0;
+    for (const statistics::SetupStatistics& setup : setups) {
+        most = std::max(most, setup.runs.size());
+        for (const statistics::RunStatistics& run : setup.runs) {
+            versions.insert(run.version);
+            if (run.outcome.empty())
+                remarks.push_back(run.file + " has not ended: its last frame is shown");
+            else if (run.outcome == "cap")
+                remarks.push_back(run.file + " ended at its cap of time, not at rest");
+        }
+    }
+    for (const statistics::SetupStatistics& setup : setups)
+        if (setup.runs.size() < most)
+            remarks.push_back(fmt::format("{} has {} seeds, others have {}", setup.label,
+                                          setup.runs.size(), most));
+    if (versions.size() > 1)
+        remarks.push_back(fmt::format("runs of several versions: {}", fmt::join(versions, ", ")));
+    return remarks;
+}
+
+}  // namespace spheroscope::figures
