@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 namespace spheroscope::claims {
@@ -165,7 +166,11 @@ Verdict judge(const Claim& claim, const Estimate& value) {
 }
 
 std::string command_of(const Claim& claim) {
-    std::string command = "spheroscope reproduce --full";
+    std::string command = "spheroscope reproduce";
+    // the paper's claims are what the program takes if it is given none
+    if (std::filesystem::path(claim.loc.file).filename() != "paper.claims")
+        command += " " + claim.loc.file;
+    command += " --full";
     for (const std::string& setup : claim.setups()) command += " --only " + setup;
     return command;
 }

@@ -105,8 +105,9 @@ TEST(StoredResults, HaveTheVerdictsThatFollowFromTheirNumbers) {
             continue;
         }
         EXPECT_DOUBLE_EQ(std::stod(row.at("mean")), judged.value.mean);
-        if (!std::isnan(judged.value.standard_error))
+        if (!std::isnan(judged.value.standard_error)) {
             EXPECT_DOUBLE_EQ(std::stod(row.at("standard_error")), judged.value.standard_error);
+        }
         EXPECT_EQ(std::stoi(row.at("seeds")), judged.value.n);
         ++n_judged;
     }

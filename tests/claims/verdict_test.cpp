@@ -290,12 +290,15 @@ tolerance_factor = 2
     const auto judged = judge_claims(table, setups);
     EXPECT_EQ(judged[0].verdict, Verdict::no_data);
     EXPECT_EQ(judged[0].reason, "the report that a is kept from does not have 'y'");
-    EXPECT_EQ(command_of(table.claims[0]), "spheroscope reproduce --full --only a --only b");
+    EXPECT_EQ(command_of(paper().claims.front()), "spheroscope reproduce --full --only case_a");
+    EXPECT_EQ(command_of(table.claims[0]),
+              "spheroscope reproduce t.claims --full --only a --only b");
     const std::string page = claims_markdown(judged, setups);
-    for (const char* part : {"(of new cells)", "| factor 2 |", "`spheroscope reproduce --full"})
+    for (const char* part :
+         {"(of new cells)", "| factor 2 |", "`spheroscope reproduce t.claims --full"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     const std::string file = claims_report(judged, setups).csv_text({});
-    for (const char* part : {"of new cells", "factor 2", "spheroscope reproduce --full"})
+    for (const char* part : {"of new cells", "factor 2", "spheroscope reproduce t.claims --full"})
         EXPECT_NE(file.find(part), std::string::npos) << part;
 }
 

@@ -91,6 +91,12 @@ TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
     EXPECT_EQ(verdict(quick, 0), "agrees");
     EXPECT_EQ(verdict(quick, 1), "no data");  // no quick seeds
     EXPECT_EQ(verdict(quick, 2), "differs");
+    const nlohmann::json row = nlohmann::json::parse(quick.out)["claims"][0];
+    EXPECT_EQ(row["id"], "three_cells_have_a_rim/soft");
+    EXPECT_EQ(row["paper"], "1");
+    EXPECT_EQ(row["ours"], 1.0);
+    EXPECT_TRUE(row["error"].is_null()) << "one seed";
+    EXPECT_EQ(row["command"], "spheroscope reproduce small.claims --full --only soft");
     EXPECT_TRUE(std::filesystem::exists(path("out/soft/seed=1/run.h5")));
     EXPECT_FALSE(std::filesystem::exists(path("out/soft/seed=2/run.h5")));
     const auto made = std::filesystem::last_write_time(path("out/soft/seed=1/run.h5"));
