@@ -1,5 +1,7 @@
 #include "engine/cli/accuracy_text.hpp"
 
+#include "engine/cli/report_output.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -7,13 +9,6 @@
 #include <cmath>
 
 namespace spheroscope::cli {
-namespace {
-
-nlohmann::json number_or_null(double value) {
-    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
-
-}  // namespace
 
 std::string accuracy_text(const std::vector<MeasureError>& errors) {
     if (errors.empty()) return "";
