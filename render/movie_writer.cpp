@@ -3,6 +3,7 @@
 
 #include "render/movie_writer.hpp"
 
+#include "engine/base/descriptor.hpp"
 #include "engine/base/error.hpp"
 
 #include <fmt/format.h>
@@ -36,25 +37,6 @@ Error no_movie(const std::string& what) {
         "the pictures (PNG) that are done stay; install ffmpeg with libx264 (Debian: ffmpeg)",
         ExitCode::environment);
 }
-
-/// A file descriptor that is closed at the end of its life.
-class Descriptor {
-  public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-    Descriptor& operator=(Descriptor&& other) noexcept {
-        std::swap(number_, other.number_);
-        return *this;
-    }
-    ~Descriptor() { close(); }
-    void close() {
-        if (number_ >= 0) ::close(std::exchange(number_, -1));
-    }
-    [[nodiscard]] int number() const { return number_; }
-
-  private:
-    int number_;
-};
 
 constexpr int k_metadata_number = 3;  // in ffmpeg, after its standard ones
 

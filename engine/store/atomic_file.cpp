@@ -1,5 +1,6 @@
 #include "engine/store/atomic_file.hpp"
 
+#include "engine/base/descriptor.hpp"
 #include "engine/base/error.hpp"
 
 #include <algorithm>
@@ -90,20 +91,6 @@ bool read_all(int descriptor, std::span<std::byte> out, std::uint64_t address) {
 template <class T> std::span<const std::byte> bytes_of(const T& value) {
     return std::as_bytes(std::span(&value, 1));
 }
-
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int number() const { return number_; }
-
-  private:
-    int number_;
-};
 
 struct Journal {
     JournalHead head;
