@@ -101,11 +101,13 @@ std::string contact_choices(const scene::Scene& scene) {
     draft.scene = scene;
     std::string text = "  contact:";
     for (const scene::Key& key : scene::all_keys()) {
+        // Whether a key applies is asked of the scene: there is no file behind this draft.
         const bool is_choice =
             key.table == "contact" &&
-            (key.name == "law" || key.name == "reject_cos" || key.name == "omega_reading");
-        if (is_choice && (key.applies.holds == nullptr || key.applies.holds(draft, 0)))
-            text += fmt::format(" {} = {},", key.name, scene::value_text(draft, key, 0));
+            (key.name == "law" ||
+             (key.name == "reject_cos" && scene.contact->law == scene::ContactLaw::traction) ||
+             (key.name == "omega_reading" && scene.contact->adhesive));
+        if (is_choice) text += fmt::format(" {} = {},", key.name, scene::value_text(draft, key, 0));
     }
     return text + fmt::format(" W = {:.4g} nN/um\n", scene.contact->W_nN_per_um);
 }
