@@ -17,6 +17,8 @@ radius = "9 um"
 nodes = 42
 [cortex.tension]
 gamma = "0.5 nN/um"
+[cortex.viscosity]
+eta = "1 kPa s"
 [cytosol]
 [medium]
 [[stage]]
