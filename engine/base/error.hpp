@@ -11,7 +11,7 @@ enum class ExitCode : int {
     internal = 1,
     usage = 2,          ///< wrong command line or scene
     not_converged = 3,  ///< unstable, or the end condition was not met
-    differs = 4,        ///< `diff` found a difference
+    differs = 4,        ///< something is not as expected: `diff`, [expect], `stability`
     environment = 5,    ///< no GL, no display, no ffmpeg
     interrupted = 130,  ///< SIGINT, after a checkpoint
     terminated = 143,   ///< SIGTERM, after a checkpoint
