@@ -13,7 +13,7 @@ namespace {
 /// with one tension on the core cell's surface and another on theirs.
 Aggregate core_and_rim(double inside_nN_per_um, double outside_nN_per_um) {
     std::vector<Vec3> centres{Vec3::Zero()};
-    for (const Vec3& axis : {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()})
+    for (const Vec3& axis : {Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)})
         for (const double distance : {-1000.0, 1000.0}) centres.emplace_back(distance * axis);
     Aggregate aggregate = test::round_cells(centres, 9.0, 42);
     const std::size_t n = aggregate.topology->unit_shape.size();
