@@ -99,7 +99,7 @@ TEST(YoungDupre, HoldsForAWorkOfAdhesionOfHalfTheTensionAndTheErrorFallsWithTheM
                          finest = of_half(2562, 1);
     EXPECT_NEAR(coarse.cos_theta, 0.75, 0.03);
     EXPECT_NEAR(fine.cos_theta, 0.75, 0.02);
-    EXPECT_NEAR(finest.cos_theta, 0.75, 0.01);
+    EXPECT_NEAR(finest.cos_theta, 0.75, 0.008);
     EXPECT_LT(std::abs(fine.cos_theta - 0.75), std::abs(coarse.cos_theta - 0.75));
     EXPECT_LT(std::abs(finest.cos_theta - 0.75), std::abs(coarse.cos_theta - 0.75));
     expect_caps_of_the_cells_volume(fine, 0.75, 0.012);
