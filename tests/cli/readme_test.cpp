@@ -41,7 +41,7 @@ class Readme : public ProgramRunner {
 
 TEST_F(Readme, HasARowForEveryVerbAndForNoOther) {
     const Words verbs = matches("\n" + part_of(help_, "Verbs:\n", "\nOptions:"), "\n  ([a-z-]+) ");
-    ASSERT_GT(verbs.size(), 15U) << help_;
+    ASSERT_GT(verbs.size(), 10U) << help_;
     // The first column, each verb in code with its arguments: "`run SCENE|FILE`", "`man`,
     // `doctor`".
     Words rows;
@@ -49,7 +49,11 @@ TEST_F(Readme, HasARowForEveryVerbAndForNoOther) {
                                            "(?:^|\n)\\| ((?:`[^`]*`|, )+) \\|"))
         for (const std::string& verb : matches(cell, "`([a-z-]+)[^`]*`")) rows.push_back(verb);
     std::sort(rows.begin(), rows.end());
-    EXPECT_EQ(rows, verbs);
+    const bool has_pictures = std::binary_search(verbs.begin(), verbs.end(), "movie");
+    if (has_pictures)
+        EXPECT_EQ(rows, verbs);
+    else  // the verbs that draw are missing in such a build, not in the README
+        EXPECT_TRUE(std::includes(rows.begin(), rows.end(), verbs.begin(), verbs.end())) << help_;
 }
 
 TEST_F(Readme, HasARowForEveryExitCodeOfHelp) {

@@ -57,6 +57,20 @@ struct KeyRow {
 };
 [[nodiscard]] std::span<const KeyRow> all_keys();
 
+/// With a running engine behind the frames there are states that are newer than the last of
+/// them, or lie between them.
+struct LiveLooks {
+    double oldest_look_s = 0.0;
+    int n_looks = 0;          ///< states that are kept
+    int looks_back = 0;       ///< which of them is on show while the end is followed; 0: the newest
+    std::string dragged_key;  ///< the parameter whose slider is held
+    float dragged_value = 0;  ///< where it is held
+    /// The step that was taken apart last, and which of its moments is on show.
+    std::shared_ptr<const StepAnatomy> anatomy;
+    int moment = 0;
+    bool anatomy_is_new = false;  ///< nobody has seen it yet
+};
+
 /// Everything that the panel knows, without a window: what is shown, and how input changes it.
 class PanelModel {
   public:
@@ -72,20 +86,7 @@ class PanelModel {
     std::string message;                ///< the last thing that there was to say
     std::array<char, 32> typed_time{};  ///< what stands in the field for a time
 
-    /// With a running engine behind the frames there are states that are newer than the last of
-    /// them, or lie between them; `live` is empty without one.
-    struct Live {
-        double oldest_look_s = 0.0;
-        int n_looks = 0;     ///< states that are kept
-        int looks_back = 0;  ///< which of them is on show while the end is followed; 0: the newest
-        std::string dragged_key;  ///< the parameter whose slider is held
-        float dragged_value = 0;  ///< where it is held
-        /// The step that was taken apart last, and which of its moments is on show.
-        std::shared_ptr<const StepAnatomy> anatomy;
-        int moment = 0;
-        bool anatomy_is_new = false;  ///< nobody has seen it yet
-    };
-    std::optional<Live> live;
+    std::optional<LiveLooks> live;  ///< empty without a running engine
     /// Shows the newest state, and stays with it.
     void follow_engine();
     /// Whether states of the engine are shown, not a frame that was chosen.

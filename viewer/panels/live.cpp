@@ -14,8 +14,7 @@ namespace spheroscope::viewer {
 namespace {
 
 /// A slider over a factor of four to either side; where it is let go becomes an order.
-void change_parameter(LiveRun& live, PanelModel::Live& state, const ChangeableRow& row,
-                      double now) {
+void change_parameter(LiveRun& live, LiveLooks& state, const ChangeableRow& row, double now) {
     const std::string key(row.key);
     const bool is_held = state.dragged_key == key;
     float shown = is_held ? state.dragged_value : static_cast<float>(now);
@@ -51,7 +50,7 @@ void show_state(const PanelContext& panel, const Pace& pace) {
 void draw_live(PanelContext& panel) {
     LiveRun& live = *panel.live;
     LiveChannel& channel = live.channel();
-    PanelModel::Live& state = *panel.model.live;
+    LiveLooks& state = *panel.model.live;
     if (live.is_over()) {
         ImGui::TextUnformatted("the run is over");
     } else {

@@ -31,7 +31,7 @@ void draw_residual(const SolveHistory& solve, ImFont* font) {
 bool step_is_new(const PanelModel& model) { return model.live && model.live->anatomy_is_new; }
 
 void draw_step(PanelContext& panel) {
-    PanelModel::Live& state = *panel.model.live;
+    LiveLooks& state = *panel.model.live;
     state.anatomy_is_new = false;
     if (!panel.live->is_over() && ImGui::Button("look into the next step"))
         panel.act(Action::look_into_step);
