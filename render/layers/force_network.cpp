@@ -25,7 +25,8 @@ Vec3 centre_of(const Snapshot& snapshot, int cell) {
 }  // namespace
 
 struct ForceNetwork::Hidden {
-    double mean_radius_um = 0.0;
+    explicit Hidden(double radius_um) : mean_radius_um(radius_um) {}
+    double mean_radius_um;
     Tubes tubes;
 };
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <filesystem>
 
 namespace spheroscope {
@@ -49,6 +50,16 @@ TEST_F(OpeningElsewhere, TheXdmfNamesDatasetsThatH5pyFinds) {
     if (outcome.code == 77) GTEST_SKIP() << "no h5py";
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out.find("24 "), 0U) << outcome.out << "frames, arrays";
+}
+
+// Debian's VTK is built without these readers; its ParaView has them.
+TEST_F(OpeningElsewhere, TheXdmfIsReadByBothReadersOfVtk) {
+    const Outcome outcome = shell(
+        "command -v pvpython >/dev/null || exit 77; pvpython '" +
+        (fs::path(SPHEROSCOPE_SOURCE_DIR) / "tests/cli/check_xdmf_with_vtk.py").string() + "' o");
+    if (outcome.code == 77) GTEST_SKIP() << "no ParaView";
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_GT(std::atoi(outcome.out.c_str()), 50) << outcome.out << "arrays";
 }
 
 TEST_F(OpeningElsewhere, ExportWritesAFileForEachFrameAndACollection) {

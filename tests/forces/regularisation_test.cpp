@@ -85,8 +85,8 @@ TEST(StrainLimiter, EnergyOfACollapsingTriangleGrowsWithTheInverseSquareOfItsAre
     const auto node = [&](int n) -> Vec3& { return test.x()[static_cast<std::size_t>(n)]; };
     const Vec3 foot = 0.5 * (node(j) + node(k));
     const Vec3 up = (node(i) - foot).normalized();
-    const auto energy_at = [&](double h_um) {
-        node(i) = foot + h_um * up;
+    const auto energy_at = [&, apex = i](double h_um) {
+        node(apex) = foot + h_um * up;
         return test.energy_fJ(k_limiter);
     };
     const double tall = energy_at(1e-3), low = energy_at(1e-4), lower = energy_at(1e-5);
