@@ -125,7 +125,8 @@ void add_solution(const scene::Scene& scene, std::vector<PlanRow>& rows) {
     if (method.needs_stiffness) {
         iterative.is_in = true;
         iterative.because = "the method solves with the stiffness of all terms";
-        direct.because = "the stiffness is new in each step";
+        direct.because = "the stiffness is new in each step, and factoring it takes longer than to "
+                         "iterate, for one cell as well";
     } else {
         direct.is_in = shape == FrictionShape::fixed;
         iterative.is_in = shape == FrictionShape::changing;

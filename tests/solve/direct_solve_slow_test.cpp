@@ -133,6 +133,8 @@ void compare(const char* name, Cluster cells, double E_kPa) {
                                           system.workers());
             });
             EXPECT_TRUE(outcome.converged);
+            // a sixteenth to a hundredth of the time when this was written
+            EXPECT_LT(iterative_ms, direct_ms);
             std::printf("  to %g: %3d iterations %7.2f ms", tolerance, outcome.iterations,
                         iterative_ms);
             if (tolerance > 1e-5) continue;
