@@ -45,9 +45,10 @@ Error no_opengl(const std::string& what) {
 /// A program that was linked without spheroscope_use_render (render/CMakeLists.txt) would crash
 /// inside VTK.
 void check_that_opengl_is_mesa() {
-    using Resolve = OSMESAproc (*)(const char*);
+    using Resolve = void (*(*)(const unsigned char*))();  // as glx_definitions.cpp has it
     const auto resolve = reinterpret_cast<Resolve>(dlsym(RTLD_DEFAULT, "glXGetProcAddressARB"));
-    if (resolve == nullptr || resolve("glClear") != OSMesaGetProcAddress("glClear"))
+    const auto* const clear = reinterpret_cast<const unsigned char*>("glClear");
+    if (resolve == nullptr || resolve(clear) != OSMesaGetProcAddress("glClear"))
         throw no_opengl("the program does not lead OpenGL's functions to OSMesa");
     Dl_info owner{};
     if (dladdr(dlsym(RTLD_DEFAULT, "glClear"), &owner) == 0 ||

@@ -1,4 +1,4 @@
-// Appendix G: forces of bead and hull on the cells over the bead's way, run by run.
+// Appendix G: forces of bead and hull on the cells over the bead's way, a line for each run.
 #include "render/figures/parts.hpp"
 
 #include <fmt/format.h>
@@ -11,20 +11,22 @@ namespace spheroscope::figures {
 Figure force_displacement(Setups setups) {
     Figure figure;
     figure.table = empty_table();
-    reports::Plot::Panel panel{"force of the bead; dashed: of the hull", "way of the bead (µm)",
-                               "force (nN)"};
+    reports::Plot::Panel panel{"force of the bead, a line for each seed; dashed: of the hull",
+                               "way of the bead (µm)", "force (nN)"};
     panel.x_axis.is_logarithmic = panel.y_axis.is_logarithmic = false;
-    for (const statistics::SetupStatistics& setup : setups)
+    for (const statistics::SetupStatistics& setup : setups) {
+        bool is_in_legend = false;
         for (const statistics::RunStatistics& run : setup.runs) {
             if (run.load.empty()) {
                 figure.missing.push_back(run.file + ": it has no frames of a stage of kind indent");
                 continue;
             }
-            const std::string name = fmt::format("{}, seed {}", setup.label, run.seed);
-            reports::Plot::Series bead{name, {}, {}}, hull{name + ", hull", {}, {}};
+            reports::Plot::Series bead{setup.label, {}, {}}, hull{setup.label, {}, {}};
             hull.line = reports::Plot::Line::dashed;
-            hull.has_marks = false;
-            hull.colour_of = name;
+            bead.has_marks = hull.has_marks = false;
+            hull.colour_of = setup.label;
+            if (is_in_legend) bead.colour_of = setup.label;
+            is_in_legend = true;
             for (const statistics::LoadPoint& point : run.load) {
                 for (const auto& [series, force_nN, quantity] :
                      {std::tuple{&bead, point.probe_nN, "probe_force"},
@@ -41,6 +43,7 @@ Figure force_displacement(Setups setups) {
             panel.series.push_back(std::move(bead));
             panel.series.push_back(std::move(hull));
         }
+    }
     if (panel.series.empty()) return figure;
     figure.plot.panels.push_back(std::move(panel));
     finish(figure, setups, "Loading: force against displacement");

@@ -15,13 +15,20 @@ std::vector<std::string> remarks_on_runs(Setups setups) {
     std::size_t most = 0;
     for (const statistics::SetupStatistics& setup : setups) {
         most = std::max(most, setup.runs.size());
+        std::vector<std::uint64_t> unfinished, capped;
         for (const statistics::RunStatistics& run : setup.runs) {
             versions.insert(run.version);
             if (run.outcome.empty())
-                remarks.push_back(run.file + " has not ended: its last frame is shown");
+                unfinished.push_back(run.seed);
             else if (run.outcome == "cap")
-                remarks.push_back(run.file + " ended at its cap of time, not at rest");
+                capped.push_back(run.seed);
         }
+        if (!unfinished.empty())
+            remarks.push_back(fmt::format("{}, seed {}: not at its end, the last frame is shown",
+                                          setup.label, fmt::join(unfinished, ", ")));
+        if (!capped.empty())
+            remarks.push_back(fmt::format("{}, seed {}: ended at the cap of time, not at rest",
+                                          setup.label, fmt::join(capped, ", ")));
     }
     for (const statistics::SetupStatistics& setup : setups)
         if (setup.runs.size() < most)

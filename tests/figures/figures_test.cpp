@@ -54,11 +54,27 @@ TEST(RemarksOnRuns, NameCapsUnendedRunsMissingSeedsAndVersions) {
     auto other = made_up_run(4, 8, 1);
     other.version = "2";
     const auto setups = group_by_setup({made_up_run(1, 8, 1), capped, going_on, other});
-    EXPECT_EQ(remarks_on_runs(setups),
-              (std::vector<std::string>{"run_2.h5 ended at its cap of time, not at rest",
-                                        "run_3.h5 has not ended: its last frame is shown",
-                                        "γ/ω = 4, Et/ω = 8 has 1 seeds, others have 3",
-                                        "runs of several versions: 1, 2"}));
+    EXPECT_EQ(
+        remarks_on_runs(setups),
+        (std::vector<std::string>{
+            "γ/ω = 1, Et/ω = 8, seed 3: not at its end, the last frame is shown",
+            "γ/ω = 1, Et/ω = 8, seed 2: ended at the cap of time, not at rest",
+            "γ/ω = 4, Et/ω = 8 has 1 seeds, others have 3", "runs of several versions: 1, 2"}));
+}
+
+TEST(ForceDisplacement, HasALineForEachSeedInTheOneColourOfItsSetup) {
+    const auto setups =
+        group_by_setup({made_up_run(1, 8, 1), made_up_run(1, 8, 2), made_up_run(4, 8, 1)});
+    const Figure figure = force_displacement(setups);
+    ASSERT_EQ(figure.plot.panels.size(), 1U);
+    std::vector<std::string> in_legend;
+    for (const reports::Plot::Series& series : figure.plot.panels[0].series)
+        if (series.colour_of.empty())
+            in_legend.push_back(series.name);
+        else
+            EXPECT_EQ(series.colour_of, in_legend.back());
+    EXPECT_EQ(in_legend, (std::vector<std::string>{setups[0].label, setups[1].label}));
+    EXPECT_EQ(figure.plot.panels[0].series.size(), 6U) << "bead and hull of three runs";
 }
 
 TEST(StressStatistics, HaveOneCategoryForEachRatioWhateverItsLastDigits) {
