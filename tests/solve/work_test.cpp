@@ -178,6 +178,7 @@ TEST(Work, OfAnEvaluationIsDoneOnceForTheSameConfiguration) {
 class Allocations : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(Allocations, AreDoneByTheFirstStepsAndThenNeverAgain) {
+    if (!counts_allocations()) GTEST_SKIP() << "operator new is the sanitizer's";
     // One thread: each further one makes its own scratch arrays when it first gets a cell.
     const Cluster cell = lone_cell(162);
     PartValues values = drop_values();
