@@ -11,8 +11,8 @@ namespace spheroscope::figures {
 Figure force_displacement(Setups setups) {
     Figure figure;
     figure.table = empty_table();
-    reports::Plot::Panel panel{"force of the bead, a line for each seed; dashed: of the hull",
-                               "way of the bead (µm)", "force (nN)"};
+    reports::Plot::Panel panel{"bead, one line a seed; dashed: hull", "way of the bead (µm)",
+                               "force (nN)"};
     panel.x_axis.is_logarithmic = panel.y_axis.is_logarithmic = false;
     for (const statistics::SetupStatistics& setup : setups) {
         bool is_in_legend = false;
