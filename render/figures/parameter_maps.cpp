@@ -27,8 +27,8 @@ struct Quantity {
     std::string_view total;  ///< a row of all_totals()
     std::string label;
 };
-const std::array k_quantities{Quantity{"eps_YL_omega", "ε_YL, norm 2ω/R"},
-                              Quantity{"eps_YL_W", "ε_YL, norm W/R"},
+const std::array k_quantities{Quantity{"eps_YL_omega", "ε^YL, norm 2ω/R"},
+                              Quantity{"eps_YL_W", "ε^YL, norm W/R"},
                               Quantity{"coordination_Z", "Z"}};
 
 bool is_equal(double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); }
@@ -189,8 +189,8 @@ Figure parameter_maps(Setups setups) {
     for (const Quantity& quantity : k_quantities) {
         for (const Grid& grid : grids) {
             const std::string panel(1, letter++);
-            reports::Plot::Panel map{fmt::format("{}  {}, {}", panel, quantity.label, grid.name),
-                                     "Et/ω", "γ/ω"};
+            // the colour bar beside it names the measure
+            reports::Plot::Panel map{panel + "  " + grid.name, "Et/ω", "γ/ω"};
             map.map = map_of(figure, setups, grid, quantity, panel);
             figure.plot.panels.push_back(std::move(map));
         }
