@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/base/team_choice.hpp"
+
 #include <atomic>
 #include <barrier>
 #include <cstdint>
@@ -14,14 +16,17 @@ namespace spheroscope {
 ///
 /// Nothing here may change a result: work is cut by item (cell, cell pair), every item is computed
 /// by one member, and sums over items are taken in index order. Then the bits do not depend on the
-/// number of threads, and `loop` may hand out items in any order.
+/// number of threads, and `loop` may hand out items in any order. So the caller may also work alone
+/// while others use the machine (TeamChoice).
 class Workers {
   public:
-    explicit Workers(int n_threads);
+    enum class Team { always, while_faster };
+    explicit Workers(int n_threads, Team team = Team::while_faster);
     ~Workers();
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
+    /// As many members as a region has at most.
     [[nodiscard]] int size() const { return n_threads_; }
 
     /// What a member sees inside a region.
@@ -38,13 +43,14 @@ class Workers {
 
       private:
         friend class Workers;
-        Member(Workers* workers, int index) : workers_(workers), index_(index) {}
+        Member(Workers* workers, int index, int n_members)
+            : workers_(workers), index_(index), n_members_(n_members) {}
         Workers* workers_;
-        int index_;
+        int index_, n_members_;
     };
 
-    /// Runs f on every member; returns when all are done. f must not throw. Nothing is copied: a
-    /// region allocates no memory.
+    /// Runs f on every member of the region; returns when all are done. f must not throw. Nothing
+    /// is copied: a region allocates no memory.
     template <class F> void region(const F& f) {
         run_job({[](const void* function, Member& member) {
                      (*static_cast<const F*>(function))(member);
@@ -55,7 +61,7 @@ class Workers {
     /// Calls f(item) for the items 0..n_items-1. Each member begins with the item of its own index,
     /// so that none is late to an empty table; the others go to whichever member is free next.
     template <class F> void loop(int n_items, const F& f) {
-        ticket_.store(n_threads_, std::memory_order_relaxed);
+        ticket_.store(n_members(), std::memory_order_relaxed);
         region([&](Member& member) {
             std::int64_t& done = items_done_[static_cast<std::size_t>(member.index_)].count;
             for (int item = member.index_; item < n_items; item = next_ticket(), ++done) f(item);
@@ -75,7 +81,11 @@ class Workers {
         void (*call)(const void* function, Member& member) = nullptr;
         const void* function = nullptr;
     };
+    /// That the next region has.
+    [[nodiscard]] int n_members() const { return choice_.is_together() ? n_threads_ : 1; }
     void run_job(const Job& job);
+    void watch(double wall_s, double own_cpu_s);
+    [[nodiscard]] double cpu_of_others_s() const;
     [[nodiscard]] int next_ticket() { return ticket_.fetch_add(1, std::memory_order_relaxed); }
     void thread_main(int index);
 
@@ -87,6 +97,9 @@ class Workers {
     bool stop_ = false;
     std::vector<Counter> items_done_;
     std::vector<std::thread> threads_;
+    const Team team_;
+    TeamChoice choice_;
+    double window_wall_s_ = 0.0, window_cpu_s_ = 0.0, others_before_s_ = 0.0;
 };
 
 }  // namespace spheroscope
