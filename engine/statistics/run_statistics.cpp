@@ -103,6 +103,7 @@ RunStatistics measure_run(const SnapshotPtr& frame) {
         sample_cells(aggregate, probes, aggregate.sigma_h_kPa, Interpolation::inverse_distance);
     run.voids = void_samples(aggregate, probes);
     run.tension_nN_per_um = tension_by_region(aggregate);
+    run.sigma_nn = stress_at_pores(aggregate);
     run.equal_kPa = stress_of_cells(aggregate, Weighting::equal);
     run.area_kPa = stress_of_cells(aggregate, Weighting::area);
     for (int cell = 0; cell < aggregate.n_cells(); ++cell)

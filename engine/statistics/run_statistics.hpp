@@ -6,6 +6,7 @@
 #include "engine/statistics/coordination.hpp"
 #include "engine/statistics/probes.hpp"
 #include "engine/statistics/setup.hpp"
+#include "engine/statistics/stress_at_pores.hpp"
 #include "engine/statistics/tension_by_region.hpp"
 
 #include <array>
@@ -36,7 +37,8 @@ struct RunStatistics {
     std::vector<ProbeSample> voids;
     std::array<std::vector<ProbeSample>, 4> cell_stress_kPa;  ///< rows of all_cell_stresses()
 
-    std::array<double, 4> tension_nN_per_um{};    ///< in k_regions
+    std::array<double, 4> tension_nN_per_um{};  ///< in k_regions
+    StressAtPores sigma_nn{};
     std::vector<CellStress> equal_kPa, area_kPa;  ///< [cells] both weightings
     std::vector<char> is_core;                    ///< [cells] not in the rim layer
     std::vector<PairForce> pairs;

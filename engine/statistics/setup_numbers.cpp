@@ -126,6 +126,10 @@ void add_regions(Numbers& numbers) {
     for (std::size_t r = 0; r < k_regions.size(); ++r)
         numbers.add("gamma_eff, " + std::string(name_of(k_regions[r])), "mN/m",
                     [&](const RunStatistics& run) { return run.tension_nN_per_um[r]; });
+    numbers.add("sigma_nn, at pores", "Pa",
+                [](const RunStatistics& run) { return k_Pa_per_kPa * run.sigma_nn.at_pores_kPa; });
+    numbers.add("sigma_nn, core away from pores", "Pa",
+                [](const RunStatistics& run) { return k_Pa_per_kPa * run.sigma_nn.elsewhere_kPa; });
 }
 
 void add_stresses(Numbers& numbers) {
