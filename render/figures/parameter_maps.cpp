@@ -27,8 +27,8 @@ struct Quantity {
     std::string_view total;  ///< a row of all_totals()
     std::string label;
 };
-const std::array k_quantities{Quantity{"eps_YL_omega", "ε^YL, norm 2ω/R"},
-                              Quantity{"eps_YL_W", "ε^YL, norm W/R"},
+const std::array k_quantities{Quantity{"eps_YL_omega", "defect ε, norm 2ω/R"},
+                              Quantity{"eps_YL_W", "defect ε, norm W/R"},
                               Quantity{"coordination_Z", "Z"}};
 
 bool is_equal(double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); }
