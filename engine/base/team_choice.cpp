@@ -9,6 +9,7 @@ void TeamChoice::window(double wall_s, double cpu_s) {
     if (is_together_) {
         if (got / k_cost_of_team >= alone_) {
             pause_s_ = k_shortest_pause_s;
+            alone_ = std::min(1.0, alone_ + wall_s / k_longest_pause_s);
             return;
         }
         is_together_ = false;

@@ -25,7 +25,9 @@ class TeamChoice {
 
   private:
     bool is_together_ = true;
-    double alone_ = 1.0;  ///< CPU time over time, of the caller alone, when it was last seen
+    /// CPU time over time, of the caller alone: as last seen, and on its way back to 1 while the
+    /// team works, because others may have gone since.
+    double alone_ = 1.0;
     double pause_s_ = k_shortest_pause_s;
     double waited_s_ = 0.0;  ///< alone, since the team was given up
 };

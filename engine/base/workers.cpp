@@ -16,9 +16,9 @@ double cpu_s(clockid_t clock) {
 
 }  // namespace
 
-Workers::Workers(int n_threads, Team team)
+Workers::Workers(int n_threads)
     : n_threads_(std::max(1, n_threads)), inside_(n_threads_), gate_(n_threads_),
-      items_done_(static_cast<std::size_t>(n_threads_)), team_(team) {
+      items_done_(static_cast<std::size_t>(n_threads_)) {
     for (int index = 1; index < n_threads_; ++index)
         threads_.emplace_back([this, index] { thread_main(index); });
 }
@@ -57,7 +57,6 @@ void Workers::run_job(const Job& job) {
         job.call(job.function, self);
         gate_.arrive_and_wait();
     }
-    if (team_ == Team::always) return;
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
     watch(wall.count(), cpu_s(CLOCK_THREAD_CPUTIME_ID) - cpu_begin_s);
 }

@@ -20,8 +20,7 @@ namespace spheroscope {
 /// while others use the machine (TeamChoice).
 class Workers {
   public:
-    enum class Team { always, while_faster };
-    explicit Workers(int n_threads, Team team = Team::while_faster);
+    explicit Workers(int n_threads);
     ~Workers();
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
@@ -97,7 +96,6 @@ class Workers {
     bool stop_ = false;
     std::vector<Counter> items_done_;
     std::vector<std::thread> threads_;
-    const Team team_;
     TeamChoice choice_;
     double window_wall_s_ = 0.0, window_cpu_s_ = 0.0, others_before_s_ = 0.0;
 };

@@ -26,9 +26,21 @@ TEST(TeamChoice, KeepsATeamThatGetsMoreThanTheCallerGotAlone) {
     choice.window(k_w, 0.9 * k_w);
     ASSERT_FALSE(choice.is_together()) << "less than one core, which one thread would get";
     while (!choice.is_together()) choice.window(k_w, 0.5 * k_w);  // but it gets half a core
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 50; ++i) {
         choice.window(k_w, 0.9 * k_w);
         ASSERT_TRUE(choice.is_together());
+    }
+}
+
+TEST(TeamChoice, DoesNotTrustForEverWhatTheCallerOnceGot) {
+    TeamChoice choice;
+    choice.window(k_w, 0.9 * k_w);
+    while (!choice.is_together()) choice.window(k_w, 0.5 * k_w);
+    double together_s = 0.0;
+    while (choice.is_together()) {
+        choice.window(k_w, 0.9 * k_w);
+        together_s += k_w;
+        ASSERT_LE(together_s, TeamChoice::k_longest_pause_s);
     }
 }
 
