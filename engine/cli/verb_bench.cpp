@@ -15,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace spheroscope::cli {
 namespace {
@@ -167,7 +168,8 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
     const std::vector<reports::BenchSize> sizes = chosen_sizes(arguments);
     if (!arguments.common.simd.empty()) static_cast<void>(use_simd_target(arguments.common.simd));
     reports::BenchOptions options;
-    options.repetitions = arguments.repetitions;
+    options.repetitions.most = arguments.repetitions;
+    options.repetitions.stop = &interrupts.stop();
     options.precision = arguments.precision == "double" ? scene::Precision::double_precision
                                                         : scene::Precision::single_precision;
     std::vector<reports::BenchRow> rows;
@@ -183,7 +185,12 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
                                      sizes[k].nodes, sizes[k].threads),
                          static_cast<double>(k) / static_cast<double>(sizes.size()), unknown,
                          unknown});
-        rows.push_back(reports::run_bench(sizes[k], options));
+        std::optional<reports::BenchRow> row = reports::run_bench(sizes[k], options);
+        if (!row) {
+            is_complete = false;
+            break;
+        }
+        rows.push_back(std::move(*row));
     }
     progress.clear();
 
@@ -219,7 +226,8 @@ Verb bench_verb() {
             command.option("--nodes", arguments->nodes, "sizes of so many nodes a cell only",
                            between(1, 1'000'000));
             command.option("--repetitions", arguments->repetitions,
-                           "of every timing; the least counts", between(1, 1000));
+                           "of every timing, fewer where it takes more than 2 s; the least counts",
+                           between(1, 1000));
             command.option("--precision", arguments->precision,
                            "of the contact kernel: float or double (default: float)",
                            {"PRECISION", problem_of_precision});

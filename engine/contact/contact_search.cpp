@@ -20,26 +20,13 @@ double contact_reach_um(const ContactLaw& law) {
 void ContactSearch::find_cell_pairs(const Model& model, std::span<const Vec3> x_um,
                                     Workers& workers) {
     boxes_.resize(idx(model.n_cells()));
-    workers.loop(model.n_cells(), [&](int cell) {
-        const std::span<const Vec3> x = model.cell_nodes(x_um, cell);
-        CellBox box{x[0], x[0]};
-        for (const Vec3& node : x) {
-            box.low = box.low.cwiseMin(node);
-            box.high = box.high.cwiseMax(node);
-        }
-        boxes_[idx(cell)] = box;
-    });
+    workers.loop(model.n_cells(),
+                 [&](int cell) { boxes_[idx(cell)] = NodeBox(model.cell_nodes(x_um, cell)); });
     const double margin = contact_reach_um(law_);
     cell_pairs_.clear();
     for (int a = 0; a < model.n_cells(); ++a)
-        for (int b = a + 1; b < model.n_cells(); ++b) {
-            const CellBox& p = boxes_[idx(a)];
-            const CellBox& q = boxes_[idx(b)];
-            if (((p.low - q.high).array() > margin).any() ||
-                ((q.low - p.high).array() > margin).any())
-                continue;
-            cell_pairs_.push_back({a, b, {}});
-        }
+        for (int b = a + 1; b < model.n_cells(); ++b)
+            if (boxes_[idx(a)].is_near(boxes_[idx(b)], margin)) cell_pairs_.push_back({a, b, {}});
 }
 
 void ContactSearch::set_groups(Contacts& contacts) {
@@ -67,7 +54,7 @@ template <class T> void ContactSearch::fill_groups(const Model& model, std::span
                                                    Contacts& contacts) {
     triangles.allocate(model);
     workers.loop(model.n_cells(), [&](int cell) {
-        const CellBox& box = boxes_[idx(cell)];
+        const NodeBox& box = boxes_[idx(cell)];
         triangles.pack_cell(model, x_um, geometry, cell, 0.5 * (box.low + box.high));
     });
     const double reach_um = contact_reach_um(law_);

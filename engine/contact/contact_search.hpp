@@ -62,7 +62,7 @@ class ContactSearch {
 
     ContactLaw law_;
     ContactPrecision precision_;
-    std::vector<CellBox> boxes_;
+    std::vector<NodeBox> boxes_;
     std::vector<CellPair> cell_pairs_;
     PackedTriangles<float> single_;  // one of the two is used
     PackedTriangles<double> double_;

@@ -2,6 +2,7 @@
 
 #include "engine/base/workers.hpp"
 #include "engine/contact/contact_search.hpp"
+#include "engine/contact/node_box.hpp"
 #include "engine/contact/simd_target.hpp"
 #include "engine/contact/triangle_pair.hpp"
 
@@ -34,12 +35,17 @@ class PlainSearch {
         : model_(model), x_um_(x_um), geometry_(geometry), law_(law),
           reach_um_(contact_reach_um(law)) {
         const int n = model.topology->n_triangles();
+        std::vector<NodeBox> boxes;
+        for (int cell = 0; cell < model.n_cells(); ++cell)
+            boxes.emplace_back(model.cell_nodes(x_um, cell));
         for (int a = 0; a < model.n_cells(); ++a)
-            for (int b = a + 1; b < model.n_cells(); ++b)
+            for (int b = a + 1; b < model.n_cells(); ++b) {
+                if (!boxes[idx(a)].is_near(boxes[idx(b)], reach_um_ + k_skin_um)) continue;
                 for (int s = 0; s < n; ++s)
                     for (int t = 0; t < n; ++t)
                         if (are_close({a, s, b, t}, reach_um_ + k_skin_um))
                             candidates_.push_back({a, s, b, t});
+            }
     }
 
     [[nodiscard]] std::size_t n_candidates() const { return candidates_.size(); }
@@ -103,7 +109,7 @@ ContactTiming::Kernel per_pair(double time_s, std::size_t candidates, std::size_
 }  // namespace
 
 ContactTiming time_contacts(const Model& model, std::span<const Vec3> x_um, const ContactLaw& law,
-                            ContactPrecision precision, int n_repeats) {
+                            ContactPrecision precision, const Repetitions& repetitions) {
     Geometry geometry;
     geometry.allocate(model, Need::triangles);
     for (int cell = 0; cell < model.n_cells(); ++cell)
@@ -114,7 +120,8 @@ ContactTiming time_contacts(const Model& model, std::span<const Vec3> x_um, cons
     Contacts contacts;
     std::vector<ContactPair> pairs;
     double plain_s = std::numeric_limits<double>::infinity(), simd_s = plain_s;
-    for (int repeat = 0; repeat < n_repeats; ++repeat) {
+    Repetitions::Count count(repetitions);
+    while (count.goes_on()) {
         const double start_s = cpu_time_s();
         static_cast<void>(plain.find(pairs));
         const double middle_s = cpu_time_s();
@@ -123,7 +130,7 @@ ContactTiming time_contacts(const Model& model, std::span<const Vec3> x_um, cons
         plain_s = std::min(plain_s, middle_s - start_s);
         simd_s = std::min(simd_s, end_s - middle_s);
     }
-    const auto candidates = static_cast<std::size_t>(search.counts().candidates / n_repeats);
+    const auto candidates = static_cast<std::size_t>(search.counts().candidates / count.n_begun());
     return {per_pair(plain_s, plain.n_candidates(), pairs.size()),
             per_pair(simd_s, candidates, contacts.n_pairs()), simd_target()};
 }

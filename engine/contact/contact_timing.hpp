@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/repetitions.hpp"
 #include "engine/contact/contact_law.hpp"
 #include "engine/contact/pair_kernel.hpp"
 #include "engine/model/model.hpp"
@@ -23,10 +24,9 @@ struct ContactTiming {
     std::string target;  ///< SIMD target in use
 };
 
-/// Times both in turns, `n_repeats` times, and takes the shortest of each: other programs on the
-/// machine only add. x_um [all nodes].
+/// Times both in turns and takes the shortest of each. x_um [all nodes].
 [[nodiscard]] ContactTiming time_contacts(const Model& model, std::span<const Vec3> x_um,
                                           const ContactLaw& law, ContactPrecision precision,
-                                          int n_repeats);
+                                          const Repetitions& repetitions);
 
 }  // namespace spheroscope

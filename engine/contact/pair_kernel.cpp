@@ -137,7 +137,7 @@ template <class T> void collect(void* self, const Batch<T>& batch) {
 }
 
 template <class T> void set_side(const PackedTriangles<T>& triangles, int cell,
-                                 const CellBox& other, lanes::Side<T>& side) {
+                                 const NodeBox& other, lanes::Side<T>& side) {
     const std::size_t first = static_cast<std::size_t>(cell) * triangles.n_triangles;
     const Vec3& origin = triangles.origin_um[static_cast<std::size_t>(cell)];
     side.record = triangles.record.data() + first * lanes::k_record;
@@ -181,7 +181,7 @@ lanes::Buffers<T> buffers_in(KernelWorkspace<T>& workspace, std::size_t n_triang
 }
 
 template <class T>
-KernelCounts find(const PackedTriangles<T>& triangles, const std::vector<CellBox>& boxes,
+KernelCounts find(const PackedTriangles<T>& triangles, const std::vector<NodeBox>& boxes,
                   int cell_a, int cell_b, const ContactLaw& law, double reach_um,
                   KernelWorkspace<T>& workspace, std::vector<ContactPair>& pairs) {
     const auto a = static_cast<std::size_t>(cell_a), b = static_cast<std::size_t>(cell_b);
@@ -217,7 +217,7 @@ KernelCounts find(const PackedTriangles<T>& triangles, const std::vector<CellBox
 }  // namespace
 
 KernelCounts find_pairs_of_cells(const PackedTriangles<float>& triangles,
-                                 const std::vector<CellBox>& boxes, int cell_a, int cell_b,
+                                 const std::vector<NodeBox>& boxes, int cell_a, int cell_b,
                                  const ContactLaw& law, double reach_um,
                                  KernelWorkspace<float>& workspace,
                                  std::vector<ContactPair>& pairs) {
@@ -225,7 +225,7 @@ KernelCounts find_pairs_of_cells(const PackedTriangles<float>& triangles,
 }
 
 KernelCounts find_pairs_of_cells(const PackedTriangles<double>& triangles,
-                                 const std::vector<CellBox>& boxes, int cell_a, int cell_b,
+                                 const std::vector<NodeBox>& boxes, int cell_a, int cell_b,
                                  const ContactLaw& law, double reach_um,
                                  KernelWorkspace<double>& workspace,
                                  std::vector<ContactPair>& pairs) {

@@ -2,6 +2,7 @@
 
 #include "engine/contact/contact_law.hpp"
 #include "engine/contact/contacts.hpp"
+#include "engine/contact/node_box.hpp"
 #include "engine/contact/packed_triangles.hpp"
 #include "engine/contact/pair_lanes.hpp"
 
@@ -40,21 +41,16 @@ template <class T> struct KernelWorkspace {
     std::vector<Index> open_block, survivor_a, survivor_b;
 };
 
-/// Axis-aligned box of a cell's nodes.
-struct CellBox {
-    Vec3 low, high;
-};
-
 /// Appends the active pairs of two cells to `pairs`, ascending by (triangle_a, triangle_b).
-/// reach_um: largest distance of two surfaces that make a contact. Runs on the SIMD target that is
+/// boxes [cells]: around the nodes of each. reach_um: largest distance of two surfaces that make a contact. Runs on the SIMD target that is
 /// in use (simd_target.hpp).
 [[nodiscard]] KernelCounts find_pairs_of_cells(const PackedTriangles<float>& triangles,
-                                               const std::vector<CellBox>& boxes, int cell_a,
+                                               const std::vector<NodeBox>& boxes, int cell_a,
                                                int cell_b, const ContactLaw& law, double reach_um,
                                                KernelWorkspace<float>& workspace,
                                                std::vector<ContactPair>& pairs);
 [[nodiscard]] KernelCounts find_pairs_of_cells(const PackedTriangles<double>& triangles,
-                                               const std::vector<CellBox>& boxes, int cell_a,
+                                               const std::vector<NodeBox>& boxes, int cell_a,
                                                int cell_b, const ContactLaw& law, double reach_um,
                                                KernelWorkspace<double>& workspace,
                                                std::vector<ContactPair>& pairs);

@@ -109,10 +109,7 @@ std::optional<Penetration> deepest_penetration(const Model& model, std::span<con
         const NodeBox& box = boxes[idx(other)];
         std::optional<Columns> columns;
         for (int cell = 0; cell < model.n_cells(); ++cell) {
-            const NodeBox& its = boxes[idx(cell)];
-            if (cell == other || (its.low.array() >= box.high.array() - limit_um).any() ||
-                (its.high.array() <= box.low.array() + limit_um).any())
-                continue;
+            if (cell == other || !box.is_near(boxes[idx(cell)], -limit_um)) continue;
             const std::span<const Vec3> nodes = model.cell_nodes(x_um, cell);
             for (std::size_t i = 0; i < nodes.size(); ++i) {
                 const Vec3& p = nodes[i];

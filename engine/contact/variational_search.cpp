@@ -66,10 +66,7 @@ void VariationalSearch::build_lists(const Model& model, std::span<const Vec3> x_
     for (int a = 0; a < model.n_cells(); ++a)
         for (int b = a + 1; b < model.n_cells(); ++b) {
             const double margin = std::max(margin_um[idx(a)], margin_um[idx(b)]);
-            const NodeBox &p = boxes[idx(a)], &q = boxes[idx(b)];
-            if (((p.low - q.high).array() > margin).any() ||
-                ((q.low - p.high).array() > margin).any())
-                continue;
+            if (!boxes[idx(a)].is_near(boxes[idx(b)], margin)) continue;
             if (n_groups_ == groups_.size()) groups_.emplace_back();
             groups_[n_groups_].found.cell_a = a;
             groups_[n_groups_].found.cell_b = b;

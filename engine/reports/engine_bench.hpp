@@ -1,12 +1,11 @@
 #pragma once
 
+#include "engine/base/repetitions.hpp"
 #include "engine/contact/contact_timing.hpp"
 #include "engine/scene/scene.hpp"
-#include "engine/solve/method.hpp"
 
-#include <atomic>
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,7 @@ struct BenchSize {
 };
 
 struct BenchOptions {
-    int repetitions = 5;  ///< of every timing; the least counts
+    Repetitions repetitions;                                          ///< of every timing
     scene::Precision precision = scene::Precision::single_precision;  ///< of the contact kernel
 };
 
@@ -37,11 +36,11 @@ struct BenchTerm {
 struct BenchStep {
     std::string method;
     std::string message;  ///< why it failed; "" if it did not
-    BenchTime time;       ///< per step
+    BenchTime time;       ///< of one step: the least of several that follow each other
     double dt_s = 0.0;
     double error_um = 0.0;  ///< the method's own estimate for the step; 0: it has none
     int linear_iterations = 0;
-    std::uint64_t state_hash = 0;  ///< after the steps
+    std::uint64_t state_hash = 0;  ///< after four steps
 };
 
 struct BenchRow {
@@ -64,6 +63,7 @@ struct BenchRow {
 enum class BenchExtent { full, quick };
 [[nodiscard]] std::vector<BenchSize> bench_sizes(BenchExtent extent);
 
-[[nodiscard]] BenchRow run_bench(const BenchSize& size, const BenchOptions& options);
+/// Empty if options.repetitions.stop became true meanwhile.
+[[nodiscard]] std::optional<BenchRow> run_bench(const BenchSize& size, const BenchOptions& options);
 
 }  // namespace spheroscope::reports

@@ -196,6 +196,12 @@ RunFileWriter RunFileWriter::append(const std::string& path, const RunHeader& he
     if (kept > stored)
         file->fail(fmt::format("wanted a file with at least {} frames to continue, got {}",
                                n_frames, stored));
+    for (const run_format::Column& column : run_format::columns())
+        if (!file->exists(run_format::column_path(column)))
+            file->fail(fmt::format("this file cannot be continued: it has no {}, another version "
+                                   "of the program wrote it",
+                                   run_format::column_path(column)),
+                       "continue it with that version, or run the scene anew into another folder");
     file->truncate_column("/time", kept);
     for (const run_format::Column& column : run_format::columns())
         file->truncate_column(run_format::column_path(column), kept);

@@ -32,8 +32,9 @@ std::vector<std::string> remarks_on_runs(Setups setups) {
     }
     for (const statistics::SetupStatistics& setup : setups)
         if (setup.runs.size() < most)
-            remarks.push_back(fmt::format("{} has {} seeds, others have {}", setup.label,
-                                          setup.runs.size(), most));
+            remarks.push_back(fmt::format("{} has {} seed{}, others have {}", setup.label,
+                                          setup.runs.size(), setup.runs.size() == 1 ? "" : "s",
+                                          most));
     if (versions.size() > 1)
         remarks.push_back(fmt::format("runs of several versions: {}", fmt::join(versions, ", ")));
     return remarks;

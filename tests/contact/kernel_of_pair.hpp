@@ -8,7 +8,7 @@ namespace spheroscope::test {
 /// Two cells of one triangle each, as the SIMD kernel reads them.
 template <class T> struct TwoTriangles {
     PackedTriangles<T> packed;
-    std::vector<CellBox> boxes;
+    std::vector<NodeBox> boxes;
 
     TwoTriangles(const TriangleGeometry& a, const TriangleGeometry& b) {
         packed.n_triangles = 1;
@@ -36,11 +36,7 @@ template <class T> struct TwoTriangles {
   private:
     void add(const TriangleGeometry& triangle) {
         const std::size_t cell = boxes.size();
-        CellBox box{triangle.corner_um[0], triangle.corner_um[0]};
-        for (const Vec3& x : triangle.corner_um) {
-            box.low = box.low.cwiseMin(x);
-            box.high = box.high.cwiseMax(x);
-        }
+        const NodeBox box(triangle.corner_um);
         const Vec3 origin = 0.5 * (box.low + box.high);
         const Vec3 centroid =
             (triangle.corner_um[0] + triangle.corner_um[1] + triangle.corner_um[2]) / 3.0;

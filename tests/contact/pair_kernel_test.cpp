@@ -184,7 +184,7 @@ TEST_P(PairKernel, GivesTheSameBitsOnAnyNumberOfThreads) {
 
 /// The pairs of two cells without the first n triangles of either, with indices as before.
 template <class T> std::vector<ContactPair> pairs_without_first(const PackedTriangles<T>& all,
-                                                                const std::vector<CellBox>& boxes,
+                                                                const std::vector<NodeBox>& boxes,
                                                                 const ContactLaw& law,
                                                                 std::size_t n) {
     PackedTriangles<T> part = all;
@@ -217,16 +217,10 @@ template <class T> void expect_same_in_every_lane(const ContactLaw& law) {
     const Geometry geometry = geometry_of(doublet.model, doublet.x_um, Need::triangles);
     PackedTriangles<T> packed;
     packed.allocate(doublet.model);
-    std::vector<CellBox> boxes;
+    std::vector<NodeBox> boxes;
     for (int cell = 0; cell < 2; ++cell) {
-        const std::span<const Vec3> x =
-            doublet.model.cell_nodes(std::span<const Vec3>(doublet.x_um), cell);
-        CellBox box{x[0], x[0]};
-        for (const Vec3& node : x) {
-            box.low = box.low.cwiseMin(node);
-            box.high = box.high.cwiseMax(node);
-        }
-        boxes.push_back(box);
+        const NodeBox& box =
+            boxes.emplace_back(doublet.model.cell_nodes(std::span<const Vec3>(doublet.x_um), cell));
         packed.pack_cell(doublet.model, doublet.x_um, geometry, cell, 0.5 * (box.low + box.high));
     }
     const std::vector<ContactPair> all = pairs_without_first(packed, boxes, law, 0);

@@ -59,7 +59,7 @@ TEST(RemarksOnRuns, NameCapsUnendedRunsMissingSeedsAndVersions) {
         (std::vector<std::string>{
             "γ/ω = 1, Et/ω = 8, seed 3: not at its end, the last frame is shown",
             "γ/ω = 1, Et/ω = 8, seed 2: ended at the cap of time, not at rest",
-            "γ/ω = 4, Et/ω = 8 has 1 seeds, others have 3", "runs of several versions: 1, 2"}));
+            "γ/ω = 4, Et/ω = 8 has 1 seed, others have 3", "runs of several versions: 1, 2"}));
 }
 
 TEST(ForceDisplacement, HasALineForEachSeedInTheOneColourOfItsSetup) {

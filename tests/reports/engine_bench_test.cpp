@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <vector>
 
 namespace spheroscope::reports {
@@ -16,7 +17,9 @@ bool counts_memory() {
 }
 
 double memory_MB(int cells, int nodes) {
-    return run_bench({.cells = cells, .nodes = nodes, .threads = 1}, {.repetitions = 1}).memory_MB;
+    return run_bench({.cells = cells, .nodes = nodes, .threads = 1}, {.repetitions = {.most = 1}})
+        .value()
+        .memory_MB;
 }
 
 TEST(EngineBench, MemoryOfASizeDoesNotDependOnTheSizesBeforeIt) {
@@ -38,12 +41,40 @@ TEST(EngineBench, MemoryGrowsAsTheCellsDo) {
 
 TEST(EngineBench, InDoublesTheKernelIsNearerToThePlainOne) {
     const BenchSize size{.cells = 2, .nodes = 42, .threads = 1};
-    const BenchRow in_floats = run_bench(size, {.repetitions = 1});
-    const BenchRow in_doubles =
-        run_bench(size, {.repetitions = 1, .precision = scene::Precision::double_precision});
+    const BenchRow in_floats = run_bench(size, {.repetitions = {.most = 1}}).value();
+    const BenchRow in_doubles = run_bench(size, {.repetitions = {.most = 1},
+                                                 .precision = scene::Precision::double_precision})
+                                    .value();
     EXPECT_GT(in_floats.force_error, 1e-9);
     EXPECT_LT(in_floats.force_error, 1e-4);
     EXPECT_LT(in_doubles.force_error, 1e-12);
+}
+
+TEST(EngineBench, StatesDoNotDependOnHowOftenAStepIsTimed) {
+    const BenchSize size{.cells = 2, .nodes = 42, .threads = 1};
+    const BenchRow once = run_bench(size, {.repetitions = {.most = 1}}).value();
+    const BenchRow often = run_bench(size, {.repetitions = {.most = 9}}).value();
+    ASSERT_EQ(once.steps.size(), often.steps.size());
+    ASSERT_FALSE(once.steps.empty());
+    for (std::size_t k = 0; k < once.steps.size(); ++k) {
+        EXPECT_EQ(once.steps[k].state_hash, often.steps[k].state_hash) << once.steps[k].method;
+        EXPECT_EQ(once.steps[k].dt_s, often.steps[k].dt_s) << once.steps[k].method;
+    }
+}
+
+TEST(EngineBench, NoRepetitionIsFree) {
+    const BenchRow row =
+        run_bench({.cells = 13, .nodes = 162, .threads = 1}, {.repetitions = {.most = 3}}).value();
+    double terms_ms = 0.0;
+    for (const BenchTerm& term : row.terms) terms_ms += term.time.cpu_ms;
+    EXPECT_GT(row.force.cpu_ms, 0.5 * terms_ms);
+    EXPECT_GT(row.stiffness.cpu_ms, row.force.cpu_ms);
+}
+
+TEST(EngineBench, AStopLeavesNoHalfRow) {
+    const std::atomic<bool> stop{true};
+    EXPECT_FALSE(
+        run_bench({.cells = 2, .nodes = 42, .threads = 1}, {.repetitions = {.stop = &stop}}));
 }
 
 }  // namespace

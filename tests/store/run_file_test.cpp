@@ -220,6 +220,23 @@ TEST_F(RunFile, OnlyTheSameRunCanBeContinued) {
     expect_frames(path_, 2);
 }
 
+TEST_F(RunFile, ARunOfAVersionWithOtherColumnsIsNotContinuedAndKeepsItsFrames) {
+    {
+        RunFileWriter writer = create(path_);
+        write_frames(writer, 2);
+    }
+    const std::string column = run_format::column_path(run_format::columns().front());
+    {
+        hdf5::File file(path_, hdf5::File::Mode::append);
+        file.remove(column);
+        file.commit();
+    }
+    const std::string refusal =
+        error_of([&] { static_cast<void>(RunFileWriter::append(path_, *header_, 1)); });
+    EXPECT_NE(refusal.find("it has no " + column), std::string::npos) << refusal;
+    EXPECT_EQ(hdf5::File(path_, hdf5::File::Mode::read).shape("/time").at(0), 2U);
+}
+
 TEST_F(RunFile, AMissingFrameNumberIsAnErrorWithTheNumberOfFrames) {
     RunFileWriter writer = create(path_);
     write_frames(writer, 2);
