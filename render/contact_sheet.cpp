@@ -1,5 +1,6 @@
 #include "render/contact_sheet.hpp"
 
+#include "engine/base/index.hpp"
 #include "render/canvas.hpp"
 #include "render/colour_maps.hpp"
 #include "render/layers/cell_surfaces.hpp"
@@ -43,8 +44,6 @@ constexpr double k_charts_y = 690.0, k_charts_y1 = 985.0;
 constexpr double k_oblique_rad = 52.0 * std::numbers::pi / 180.0;
 /// Between the centres, over the sum of both radii: what that line of sight needs.
 constexpr double k_apart = 1.42;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 point(const std::vector<float>& values, std::size_t i) {
     return {double{values[3 * i]}, double{values[3 * i + 1]}, double{values[3 * i + 2]}};

@@ -222,6 +222,30 @@ MovieWriter::Settings writer_settings(const MovieSettings& settings, const Surve
     return result;
 }
 
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw Error("the folder " + folder.string() + " cannot be made: " + error.message());
+}
+
+void make_folders(const MovieSettings& settings) {
+    if (settings.keeps_pictures) make_folder(settings.frames_folder);
+    if (settings.movie_path.has_parent_path()) make_folder(settings.movie_path.parent_path());
+}
+
+MoviePainter::Shown shown_in(const MovieFrame& wanted, const Survey& survey,
+                             const scene::Picture& picture) {
+    MoviePainter::Shown shown;
+    shown.frame = wanted.frame;
+    shown.view.fit_radius_um = survey.fit_radius_um[static_cast<std::size_t>(wanted.frame)];
+    shown.view.progress = wanted.progress;
+    shown.view.turned_deg = wanted.turned_deg;
+    shown.view.cutaway = wanted.cutaway;
+    shown.view.time_decimals = survey.time_decimals;
+    if (picture.range != "frame") shown.view.range = survey.range;
+    return shown;
+}
+
 MovieResult make_movie_of(std::span<FrameSource* const> runs, const MovieSettings& settings) {
     const scene::Picture& picture = settings.picture;
     check_movie_size(picture.size_px[0], picture.size_px[1]);
@@ -242,13 +266,7 @@ MovieResult make_movie_of(std::span<FrameSource* const> runs, const MovieSetting
     result.share_outside =
         picture.range == "frame" ? 2.0 * RangeFinder::k_share_beyond : surveys[0].share_outside;
 
-    std::error_code error;
-    if (settings.keeps_pictures) fs::create_directories(settings.frames_folder, error);
-    if (!error && settings.movie_path.has_parent_path())
-        fs::create_directories(settings.movie_path.parent_path(), error);
-    if (error)
-        throw Error("the folder " + settings.frames_folder.string() +
-                    " cannot be made: " + error.message());
+    make_folders(settings);
     if (settings.keeps_pictures) remove_left_overs(settings.frames_folder, result.n_frames);
 
     // Renderers are made when the first picture has to be drawn: a movie that is only put together
@@ -271,17 +289,9 @@ MovieResult make_movie_of(std::span<FrameSource* const> runs, const MovieSetting
             break;
         }
         const MovieFrame& wanted = pictures[static_cast<std::size_t>(i)];
-        MoviePainter::Shown shown;
-        shown.frame = wanted.frame;
-        shown.view.fit_radius_um = surveys[0].fit_radius_um[static_cast<std::size_t>(wanted.frame)];
-        shown.view.progress = wanted.progress;
-        shown.view.turned_deg = wanted.turned_deg;
-        shown.view.cutaway = wanted.cutaway;
-        shown.view.time_decimals = surveys[0].time_decimals;
-        if (picture.range != "frame") shown.view.range = surveys[0].range;
-        std::vector<MoviePainter::Shown> all{shown};
+        std::vector<MoviePainter::Shown> all{shown_in(wanted, surveys[0], picture)};
         if (runs.size() == 2) {
-            all.push_back(shown);
+            all.push_back(all[0]);
             all[1].frame = beside[static_cast<std::size_t>(wanted.frame)];
         }
 

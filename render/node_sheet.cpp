@@ -1,5 +1,6 @@
 #include "render/node_sheet.hpp"
 
+#include "engine/base/index.hpp"
 #include "render/canvas.hpp"
 #include "render/colour_maps.hpp"
 #include "render/layers/furniture.hpp"
@@ -33,8 +34,6 @@ constexpr double k_shortest_px = 5.0;
 constexpr double k_end_on = 1e-6;
 /// Half the width of a view over the mean edge at the node.
 constexpr double k_edges_across = 4.0;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 point(const std::vector<float>& values, int i) {
     const std::size_t at = 3 * idx(i);

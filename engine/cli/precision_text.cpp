@@ -269,6 +269,42 @@ std::string notes_of(const reports::MeshLadder& ladder, int own_nodes) {
     return text;
 }
 
+reports::Plot plot_of(const reports::MeshLadder& ladder, int own_nodes, const std::string& title) {
+    reports::Plot plot;
+    plot.title = title;
+    plot.legend_above = true;
+    for (std::size_t m = 0; m < ladder.results.size(); ++m) {
+        const reports::MeshResult& result = ladder.results[m];
+        if (!result.extrapolation.is_resolved) continue;
+        reports::Plot::Panel panel;
+        panel.title = fmt::format("{}, order {:.2g}", reports::all_mesh_measures()[m].name,
+                                  result.extrapolation.order);
+        panel.x_title = "nodes of a cell";
+        panel.y_title = "relative error";
+        reports::Plot::Series mesh{.name = "mesh: difference to the extrapolated limit"};
+        reports::Plot::Series time{.name = fmt::format("time: {}, {}, on {} nodes",
+                                                       ladder.own.method->name, ladder.own.text(),
+                                                       own_nodes),
+                                   .line = reports::Plot::Line::dashed,
+                                   .has_marks = false};
+        for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
+            const double error = std::abs(result.values[k] / result.extrapolation.limit - 1.0);
+            const double nodes = ladder.levels[k].nodes;
+            if (std::isfinite(error) && error > 0.0) {
+                mesh.x.push_back(nodes);
+                mesh.y.push_back(error);
+            }
+            if (std::isfinite(result.time_error) && result.time_error > 0.0) {
+                time.x.push_back(nodes);
+                time.y.push_back(result.time_error);
+            }
+        }
+        panel.series = {std::move(mesh), std::move(time)};
+        plot.panels.push_back(std::move(panel));
+    }
+    return plot;
+}
+
 nlohmann::json json_of(const reports::MeshLadder& ladder, int own_nodes) {
     nlohmann::json levels = nlohmann::json::array();
     for (const reports::MeshLevel& level : ladder.levels) {

@@ -24,5 +24,9 @@ namespace spheroscope::cli {
 [[nodiscard]] reports::ReportTable table_of(const reports::MeshLadder& ladder);
 [[nodiscard]] std::string notes_of(const reports::MeshLadder& ladder, int own_nodes);
 [[nodiscard]] nlohmann::json json_of(const reports::MeshLadder& ladder, int own_nodes);
+/// One panel for each measure with a limit: its difference to that over the nodes of a cell, and
+/// the time error of the scene's own step on own_nodes beside it. No panel: no measure has one.
+[[nodiscard]] reports::Plot plot_of(const reports::MeshLadder& ladder, int own_nodes,
+                                    const std::string& title);
 
 }  // namespace spheroscope::cli

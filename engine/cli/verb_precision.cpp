@@ -30,12 +30,11 @@ struct PrecisionArguments {
 
 /// Writes table, plot and JSON of one report, and prints one of them.
 void give_out(const std::string& path, const reports::ReportTable& table, const std::string& notes,
-              nlohmann::json document, const reports::DrawPlot& draw, const reports::Plot* plot,
+              nlohmann::json document, const reports::DrawPlot& draw, const reports::Plot& plot,
               const PrecisionArguments& arguments, const Invocation& invocation) {
     write_text_file(path + ".csv", table.csv_text(report_comments(arguments.common, invocation)));
     std::vector<std::string> files{path + ".csv"};
-    if (plot != nullptr)
-        for (const std::string& file : draw_report_plot(draw, *plot, path)) files.push_back(file);
+    for (const std::string& file : draw_report_plot(draw, plot, path)) files.push_back(file);
     if (arguments.common.json) {
         document["scene"] = arguments.scene;
         document["machine"] = machine_json(arguments.common, invocation);
@@ -77,15 +76,17 @@ ExitCode precision(const PrecisionArguments& arguments, const reports::DrawPlot&
         const reports::MeshLadder ladder = reports::compute_mesh_ladder(
             scene, arguments.most_nodes.value_or(k_most_nodes), options);
         progress.clear();
+        const reports::Plot plot =
+            plot_of(ladder, scene.cells.nodes, "Error against mesh: " + scene.title);
         give_out(folder + "/mesh", table_of(ladder), notes_of(ladder, scene.cells.nodes),
-                 json_of(ladder, scene.cells.nodes), draw, nullptr, arguments, invocation);
+                 json_of(ladder, scene.cells.nodes), draw, plot, arguments, invocation);
         return code_after_signal(ladder.met_time_limit ? ExitCode::not_converged : ExitCode::ok);
     }
     const reports::Precision result = reports::compute_precision(scene, options);
     progress.clear();
     const reports::Plot plot = plot_of(result, "Error against run time: " + scene.title);
-    give_out(folder + "/precision", table_of(result), notes_of(result), json_of(result), draw,
-             &plot, arguments, invocation);
+    give_out(folder + "/precision", table_of(result), notes_of(result), json_of(result), draw, plot,
+             arguments, invocation);
     return code_after_signal(result.reference && !result.met_time_limit ? ExitCode::ok
                                                                         : ExitCode::not_converged);
 }

@@ -1,13 +1,12 @@
 #include "engine/contact/contact_search.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace spheroscope {
-namespace {
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-}  // namespace
 
 double contact_reach_um(const ContactLaw& law) {
     // At the centroid of a contact the gap along n is 2 h0 / c - delta, with c^2 = (1 - n_A.n_B) /

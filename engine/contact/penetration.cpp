@@ -1,5 +1,6 @@
 #include "engine/contact/penetration.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/contact/closest_point.hpp"
 #include "engine/contact/node_box.hpp"
 
@@ -9,8 +10,6 @@
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// A node may lie exactly above a node of the other cell (mirror images do), where a ray meets no
 /// triangle's inside. What matters here is deeper than this by far.

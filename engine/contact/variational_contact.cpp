@@ -1,6 +1,7 @@
 // The law `variational` on one side of a contact: distances of the samples, energies of the parts,
 // and the pairs and films that they make. See variational_search.hpp for the equations.
 #include "engine/base/error.hpp"
+#include "engine/base/index.hpp"
 #include "engine/contact/closest_point.hpp"
 #include "engine/contact/overlap_integral.hpp"
 #include "engine/contact/variational_search.hpp"
@@ -10,8 +11,6 @@
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// The point of the other surface that is nearest to a sample.
 struct Nearest {

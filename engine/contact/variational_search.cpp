@@ -1,6 +1,7 @@
 // Lists and bookkeeping of the law `variational`; the law itself is in variational_contact.cpp.
 #include "engine/contact/variational_search.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/contact/closest_point.hpp"
 #include "engine/contact/node_box.hpp"
 
@@ -9,8 +10,6 @@
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// A triangle of the other cell, sorted by its centre along one axis.
 struct Swept {

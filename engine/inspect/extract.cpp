@@ -1,5 +1,6 @@
 #include "engine/inspect/extract.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/inspect/inspect_contact.hpp"
 #include "engine/scene/key_text.hpp"
 #include "engine/stages/build.hpp"
@@ -13,8 +14,6 @@
 
 namespace spheroscope::inspect {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// The velocities are solved for to this relative residual.
 constexpr double k_tolerance = 1e-10;

@@ -1,5 +1,6 @@
 #include "engine/inspect/frame_system.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/stages/build.hpp"
 
 #include <cmath>
@@ -8,8 +9,6 @@
 
 namespace spheroscope::inspect {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 point(const std::vector<float>& values, std::size_t i) {
     return {double{values[3 * i]}, double{values[3 * i + 1]}, double{values[3 * i + 2]}};

@@ -1,5 +1,6 @@
 #include "engine/inspect/inspect_contact.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/contact/triangle_pair.hpp"
 #include "engine/forces/contact_variational.hpp"
 
@@ -12,8 +13,6 @@ namespace spheroscope::inspect {
 namespace {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 centre_of(const Snapshot& frame, int cell) {
     const std::size_t i = 3 * idx(cell);

@@ -1,4 +1,5 @@
 // Every force on one node, term by term, and the velocity with which friction balances them.
+#include "engine/base/index.hpp"
 #include "engine/forces/contact_variational.hpp"
 #include "engine/friction/cortex_viscosity.hpp"
 #include "engine/inspect/inspect_contact.hpp"
@@ -6,8 +7,6 @@
 
 namespace spheroscope::inspect {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// The velocities are solved for to this relative residual.
 constexpr double k_tolerance = 1e-10;

@@ -1,3 +1,4 @@
+#include "engine/base/index.hpp"
 #include "engine/forces/contact_variational.hpp"
 #include "engine/measures/measure_input.hpp"
 
@@ -5,8 +6,6 @@
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// Where a pair's own virial is taken from. Its forces sum to zero, so any point does; one at the
 /// pair keeps the digits.

@@ -1,5 +1,6 @@
 #include "engine/measures/totals.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/contact/penetration.hpp"
 #include "engine/measures/measure_input.hpp"
 #include "engine/measures/pair_forces.hpp"
@@ -14,7 +15,6 @@ namespace spheroscope {
 namespace {
 
 constexpr double k_undefined = std::numeric_limits<double>::quiet_NaN();
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 void add_mesh_quality(const Configuration& at, Totals& totals) {
     const MeshTopology& mesh = *at.model.topology;

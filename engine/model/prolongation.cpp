@@ -10,8 +10,6 @@
 namespace spheroscope {
 namespace {
 
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
 /// The node across an edge from a given one: wing of the triangle on the edge's other side.
 class Opposite {
   public:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/index.hpp"
 #include "engine/model/model.hpp"
 
 #include <memory>
@@ -48,7 +49,6 @@ class Prolongation {
     struct Middle {
         std::array<int, 8> nodes;  ///< i, j, a, b, and the four wings
     };
-    [[nodiscard]] static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
     std::shared_ptr<const MeshTopology> coarse_, fine_;
     std::vector<std::vector<Middle>> levels_;  ///< per subdivision, in the order of the new nodes

@@ -23,7 +23,7 @@ struct BenchOptions {
 };
 
 struct BenchTime {
-    double wall_ms = 0.0, cpu_ms = 0.0;  ///< of the repetition with the least CPU time
+    double wall_ms = 0.0, cpu_ms = 0.0;  ///< the least of several repetitions, each by itself
 };
 
 /// A part of the force evaluation, in one thread.

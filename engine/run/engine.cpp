@@ -4,6 +4,7 @@
 
 #include "engine/run/engine.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/contact/simd_target.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/run/expectations.hpp"
@@ -18,8 +19,6 @@
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double k_unknown = std::numeric_limits<double>::quiet_NaN();
 

@@ -1,11 +1,11 @@
 #include "engine/solve/cell_matrix.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <algorithm>
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 std::array<float, 3> single(const Vec3& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};

@@ -1,5 +1,7 @@
 #include "engine/solve/cellwise_inverse.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -7,11 +9,6 @@
 #include <numeric>
 
 namespace spheroscope {
-namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 template <class Vector>
 void CellwiseInverse<Vector>::prepare(const VelocitySystem& system, Workers& workers) {

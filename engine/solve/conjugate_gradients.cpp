@@ -1,13 +1,13 @@
 #include "engine/solve/conjugate_gradients.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// Smallest share to which one pass of single-precision iterations reduces a residual. Its own
 /// residual, updated and not computed anew, strays from the true one by some 1e-6.

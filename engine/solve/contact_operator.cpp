@@ -1,12 +1,12 @@
 #include "engine/solve/contact_operator.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <algorithm>
 #include <bit>
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// Sums of one pair of nodes over the pairs of triangles that connect it, in two registers: of a
 /// weight w and of weighted squares n n^T.

@@ -1,5 +1,6 @@
 #include "engine/solve/fastest_mode.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/base/random.hpp"
 #include "engine/forces/cell_stiffness.hpp"
 
@@ -8,8 +9,6 @@
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// Of the friction solves: an estimate to some percent needs no more.
 constexpr double k_solve_tolerance = 1e-2;

@@ -8,6 +8,7 @@
 
 #include "engine/solve/forward_euler.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/solve/explicit_bound.hpp"
 #include "engine/solve/implicit_volume.hpp"
 #include "engine/solve/step_common.hpp"
@@ -17,8 +18,6 @@
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// Of the step that follows the estimate: the fastest mode still falls by half in every step, and
 /// the rate may grow by a quarter before it is estimated again.

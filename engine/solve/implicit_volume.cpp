@@ -1,10 +1,11 @@
 #include "engine/solve/implicit_volume.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <algorithm>
 
 namespace spheroscope {
 namespace {
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// Ten thousand times the pressure of a cell (2 gamma/R = 0.1 kPa): a change of it by itself leaves
 /// a strain of 1e-4 for one step. Larger ones make the right-hand side, of which the linear

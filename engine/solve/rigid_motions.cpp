@@ -1,11 +1,11 @@
 #include "engine/solve/rigid_motions.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <Eigen/LU>
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Lanes cross(Lanes a, Lanes b) {
     using Register = Lanes::Register;

@@ -1,13 +1,13 @@
 #include "engine/solve/sparse_cholesky.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <cholmod.h>
 
 #include <memory>
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// CHOLMOD's common block, started and finished.
 struct Common {

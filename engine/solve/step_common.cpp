@@ -1,12 +1,11 @@
 #include "engine/solve/step_common.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace spheroscope {
-namespace {
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-}  // namespace
 
 void describe_forces(System& system, StepOutcome& outcome) {
     double sum2 = 0.0;

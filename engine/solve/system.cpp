@@ -1,12 +1,12 @@
 #include "engine/solve/system.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <algorithm>
 #include <cstring>
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// More iterations than this mean that the matrix is broken, not that the problem is hard: a cell's
 /// friction matrix has a condition number of some hundreds.

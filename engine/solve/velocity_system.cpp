@@ -1,13 +1,9 @@
 #include "engine/solve/velocity_system.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/friction/cortex_viscosity.hpp"
 
 namespace spheroscope {
-namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 template <class Vector> void VelocitySystem::product_of_cell(int cell,
                                                              std::span<const Vector> u_all,

@@ -1,5 +1,6 @@
 #include "engine/stages/build.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/base/random.hpp"
 #include "engine/forces/active_tension.hpp"
 #include "engine/forces/bending.hpp"
@@ -21,8 +22,6 @@
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// Uniform random rotation of cell c (Shoemake 1992).
 Mat3 random_rotation(std::uint64_t seed, int cell) {

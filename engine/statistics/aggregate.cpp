@@ -1,5 +1,6 @@
 #include "engine/statistics/aggregate.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
 #include "engine/measures/field_functions.hpp"
 
@@ -8,8 +9,6 @@
 
 namespace spheroscope::statistics {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 using Compute = void (*)(const MeasureInput&, std::span<float>);
 

@@ -1,5 +1,7 @@
 #include "engine/statistics/cell_stress.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,8 +9,6 @@
 
 namespace spheroscope::statistics {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// The touching triangles of one cell.
 struct Touching {

@@ -1,5 +1,6 @@
 #include "engine/statistics/probes.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/base/random.hpp"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 
 namespace spheroscope::statistics {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 std::span<const Vec3> nodes_of(const Aggregate& aggregate, int cell) {
     const std::size_t n = idx(aggregate.topology->n_nodes());

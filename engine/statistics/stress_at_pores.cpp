@@ -1,13 +1,13 @@
 #include "engine/statistics/stress_at_pores.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace spheroscope::statistics {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 struct Sum {
     double force_nN = 0.0, area_um2 = 0.0;

@@ -1,13 +1,13 @@
 #include "engine/statistics/tension_by_region.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <cmath>
 #include <limits>
 #include <optional>
 
 namespace spheroscope::statistics {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// What surrounds the nodes of one cell.
 struct NodeSurroundings {

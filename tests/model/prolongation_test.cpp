@@ -1,3 +1,4 @@
+#include "engine/base/index.hpp"
 #include "engine/model/prolongation.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,6 @@
 
 namespace spheroscope {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 /// Largest departure of the nodes from their mean distance to the origin, over that distance.
 double roughness(const std::vector<Vec3>& x) {

@@ -1,5 +1,7 @@
 #include "viewer/model/blame.hpp"
 
+#include "engine/base/index.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,8 +10,6 @@ namespace spheroscope::viewer {
 namespace {
 
 constexpr double k_none = std::numeric_limits<double>::infinity();
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 double volume_error(const Snapshot& snapshot, int cell) {
     const double radius = double{snapshot.header->radius_um[idx(cell)]};

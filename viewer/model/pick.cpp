@@ -1,5 +1,6 @@
 #include "viewer/model/pick.hpp"
 
+#include "engine/base/index.hpp"
 #include "viewer/model/series.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +17,6 @@ constexpr double k_far = std::numeric_limits<double>::infinity();
 /// Surfaces that touch lie within a few adhesion ranges (0.3 um) of each other, and other
 /// neighbours much farther.
 constexpr double k_touching_um = 1.0;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 point(const std::vector<float>& values, std::size_t i) {
     return {double{values[3 * i]}, double{values[3 * i + 1]}, double{values[3 * i + 2]}};

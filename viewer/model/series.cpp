@@ -1,5 +1,6 @@
 #include "viewer/model/series.hpp"
 
+#include "engine/base/index.hpp"
 #include "engine/base/random.hpp"
 
 #include <algorithm>
@@ -14,8 +15,6 @@ namespace {
 constexpr double k_none = std::numeric_limits<double>::infinity();
 constexpr std::size_t k_n_bins = 10;
 constexpr int k_n_probes = 10000;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 point(const std::vector<float>& values, std::size_t i) {
     return {double{values[3 * i]}, double{values[3 * i + 1]}, double{values[3 * i + 2]}};
