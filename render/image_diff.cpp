@@ -104,15 +104,16 @@ ImageDifference compare_images(const Image& reference, const Image& other, int t
 }
 
 std::vector<std::string> broken_bounds(const ImageDifference& d, const ImageTolerance& tolerance) {
+    // Asked this way round, a bound that is not a number is broken and never met.
     std::vector<std::string> broken;
     if (d.max_difference > tolerance.max_difference)
         broken.push_back(fmt::format("a channel differs by {}, allowed are {}", d.max_difference,
                                      tolerance.max_difference));
-    if (d.share_over_threshold_shifted > tolerance.shifted_share)
+    if (!(d.share_over_threshold_shifted <= tolerance.shifted_share))
         broken.push_back(fmt::format("{:.3g} of the pixels differ also when edges may move by a "
                                      "pixel, allowed are {:.3g}",
                                      d.share_over_threshold_shifted, tolerance.shifted_share));
-    if (d.similarity < tolerance.similarity)
+    if (!(d.similarity >= tolerance.similarity))
         broken.push_back(fmt::format("the similarity is {:.5f}, wanted are {:.5f} or more",
                                      d.similarity, tolerance.similarity));
     return broken;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace spheroscope::render {
 namespace {
 
@@ -83,6 +85,13 @@ TEST(ImageDiff, EveryBoundOfTheToleranceCanBeTheOneThatIsBroken) {
     EXPECT_EQ(n_broken(one_bit, alike), 0U);
     EXPECT_EQ(n_broken(with_square(13, 10), alike), 1U);
     EXPECT_EQ(n_broken(with_square(13, 10), {0, 0.0, 0.99}), 3U);
+}
+
+TEST(ImageDiff, ABoundThatIsNotANumberIsMetByNothing) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const ImageDifference none = compare_images(with_square(10, 10), with_square(10, 10));
+    EXPECT_EQ(broken_bounds(none, {255, nan, -1.0}).size(), 1U);
+    EXPECT_EQ(broken_bounds(none, {255, 1.0, nan}).size(), 1U);
 }
 
 TEST(ImageDiff, APictureOfNothingIsFoundOut) {
