@@ -30,7 +30,11 @@
 #include <vtkTextProperty.h>
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
+#include <iterator>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 namespace spheroscope::render {
@@ -124,6 +128,31 @@ PlotArea add_panel(vtkContextScene* scene, const reports::Plot::Panel& panel,
     return area;
 }
 
+/// What the exporter writes between <text ...> and </text>, one to a line, is what it was given, so
+/// that "<" and "&" of a name would be read as XML.
+std::string with_escaped_texts(std::string_view svg) {
+    constexpr std::string_view begin = "<text ", end = "</text>\n";
+    std::string result;
+    while (true) {
+        const std::size_t tag = svg.find(begin), words = svg.find('>', tag);
+        const std::size_t after = words == svg.npos ? svg.npos : svg.find(end, words);
+        if (tag == svg.npos || after == svg.npos) return result.append(svg);
+        result.append(svg.substr(0, words + 1));
+        for (const char c : svg.substr(words + 1, after - words - 1)) {
+            if (c == '&')
+                result += "&amp;";
+            else if (c == '<')
+                result += "&lt;";
+            else if (c == '>')
+                result += "&gt;";
+            else
+                result += c;
+        }
+        result.append(end);
+        svg.remove_prefix(after + end.size());
+    }
+}
+
 void write_svg(vtkRenderWindow* window, vtkRenderer* renderer, const std::filesystem::path& path) {
     const std::filesystem::path unfinished = path.string() + ".part";
     vtkNew<vtkGL2PSExporter> exporter;
@@ -138,11 +167,25 @@ void write_svg(vtkRenderWindow* window, vtkRenderer* renderer, const std::filesy
     exporter->SetSilent(1);  // it cannot embed the background as an image; white needs none
     exporter->Write();
     // the exporter appends its own ending to the prefix
+    const std::filesystem::path exported = unfinished.string() + ".svg";
+    std::ifstream file(exported, std::ios::binary);
+    const std::string svg{std::istreambuf_iterator<char>(file), {}};
+    file.close();
     std::error_code failed;
-    std::filesystem::rename(unfinished.string() + ".svg", path, failed);
-    if (failed)
-        throw Error(path.string() + ": the plot could not be written (" + failed.message() + ")",
+    std::filesystem::remove(exported, failed);
+    std::ofstream escaped(unfinished, std::ios::binary);
+    escaped << with_escaped_texts(svg);
+    escaped.close();
+    // What the exporter could not write ends without this.
+    const bool is_whole = svg.find("</svg>") != svg.npos && !escaped.fail();
+    if (is_whole) std::filesystem::rename(unfinished, path, failed);
+    if (!is_whole || failed) {
+        std::error_code ignored;
+        std::filesystem::remove(unfinished, ignored);
+        throw Error(path.string() + ": the plot could not be written" +
+                        (failed ? " (" + failed.message() + ")" : ""),
                     "is the disk full, or the folder protected?", ExitCode::environment);
+    }
 }
 
 Image image_of(const Buffers& buffers) {

@@ -6,6 +6,9 @@
 #include "tests/render/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLUtilities.h>
 
 #include <algorithm>
 #include <array>
@@ -57,6 +60,25 @@ TEST(Plot, HasItsLinesInThePictureAndItsWordsInTheDrawing) {
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     for (const char* word : {"error (units of h₀)", "γ_eff", "10⁻⁵", "wall time (s)", "</svg>"})
         EXPECT_NE(text.find(word), std::string::npos) << word;
+}
+
+TEST(Plot, OfNamesWithTheSignsOfXmlIsADrawingThatXmlCanRead) {
+    reports::Plot plot = two_panels();
+    plot.title = "a <b> & c";
+    plot.caption = {"made of \"A&B\" > 1"};
+    plot.panels[0].y_title = "<F> (nN)";
+    const TemporaryFolder folder;
+    const auto svg = folder.path() / "plot.svg";
+    draw_plot(plot, folder.path() / "plot.png", svg);
+    const auto root =
+        vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(svg.c_str()));
+    ASSERT_NE(root, nullptr) << "not XML";
+    EXPECT_STREQ(root->GetName(), "svg");
+    std::ifstream file(svg);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (const char* words : {">a &lt;b&gt; &amp; c<", "A&amp;B", "&lt;F&gt; (nN)"})
+        EXPECT_NE(text.find(words), std::string::npos) << words;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
 }
 
 TEST(Plot, DrawsErrorBarsBandsAndACaptionOnLinearAxes) {
