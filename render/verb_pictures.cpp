@@ -1,5 +1,7 @@
 #include "render/verb_pictures.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 namespace spheroscope {
@@ -28,9 +30,11 @@ std::vector<scene::Picture> pictures_of(const RunFileReader& reader,
     check_is_of_pictures(reader.path(), options);
     const scene::Scene scene = scene::parse_scene(reader.header()->resolved_scene,
                                                   "scene in " + reader.path(), options.overrides());
+    const std::vector<const Field*>& fields = reader.header()->fields;
     if (scene.pictures.empty())
         throw Error(reader.path() + ": its scene has no [[picture]]",
-                    "add one with --set 'picture[0].field=sigma_h'");
+                    fmt::format("add one with --set 'picture[0].field={}'",
+                                fields.empty() ? "none" : fields.front()->name));
     return scene.pictures;
 }
 

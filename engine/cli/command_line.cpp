@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace spheroscope::cli {
 namespace {
 
@@ -45,7 +47,16 @@ std::string heading_of(const CLI::Option& option) {
 
 ValueRule between(int least, int most) { return rule_of(CLI::Range(least, most)); }
 
-ValueRule between(double least, double most) { return rule_of(CLI::Range(least, most)); }
+ValueRule between(double least, double most) {
+    const ValueRule range = rule_of(CLI::Range(least, most));
+    // The library compares, and 'not a number' is neither below nor above anything.
+    return {{}, [range](const std::string& text) {
+                double number = 0.0;
+                if (CLI::detail::lexical_cast(text, number) && std::isnan(number))
+                    return fmt::format("wanted a number, got '{}'", text);
+                return range.check(text);
+            }};
+}
 
 ValueRule one_of(const std::vector<int>& values) { return rule_of(CLI::IsMember(values)); }
 

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <new>
 #include <string_view>
+#include <system_error>
 
 namespace spheroscope::cli {
 namespace {
@@ -105,6 +106,12 @@ ExitCode run_program(const std::vector<std::string>& arguments, std::span<const 
     } catch (const Error& error) {
         print_error(error.what());
         return error.code();
+    } catch (const std::system_error& error) {  // files, and a full stdout
+        print_error(fmt::format("error: {}", std::ferror(stdout) != 0
+                                                 ? "the result could not be written to stdout\n  "
+                                                   "hint: is the disk full?"
+                                                 : error.what()));
+        return ExitCode::environment;
     } catch (const std::bad_alloc&) {
         print_error("error: out of memory");
         return ExitCode::environment;

@@ -26,12 +26,19 @@ std::string report_folder(const CommonOptions& options, const std::string& stand
 }
 
 void write_text_file(const std::string& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
+    // Complete or absent: under its own name only when all of it is there. A device has no other.
+    const bool is_device = std::filesystem::exists(path) && !std::filesystem::is_regular_file(path);
+    const std::string working_path = is_device ? path : path + ".part";
+    std::ofstream file(working_path, std::ios::binary);
     file << text;
     file.close();
-    if (!file)
-        throw Error(path + ": the report could not be written",
-                    "is the disk full, or the folder protected?", ExitCode::environment);
+    std::error_code failed;
+    if (file && !is_device) std::filesystem::rename(working_path, path, failed);
+    if (file && !failed) return;
+    std::error_code ignored;
+    if (!is_device) std::filesystem::remove(working_path, ignored);
+    throw Error(path + ": the report could not be written",
+                "is the disk full, or the folder protected?", ExitCode::environment);
 }
 
 std::vector<std::string> report_comments(const CommonOptions& options,

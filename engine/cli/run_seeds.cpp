@@ -72,7 +72,7 @@ std::vector<Totals> totals_of_ended(const std::vector<SeedRun>& runs) {
     return totals;
 }
 
-std::string text_of(const std::vector<SeedRun>& runs) {
+std::string text_of(const std::vector<SeedRun>& runs, std::size_t n_wanted) {
     std::string text;
     for (const SeedRun& run : runs) {
         text += fmt::format("seed {:<6} {:<12} t = {:<9} {:<8} {}\n", run.seed, run.outcome,
@@ -81,9 +81,9 @@ std::string text_of(const std::vector<SeedRun>& runs) {
         if (!run.reason.empty()) text += fmt::format("  because: {}\n", run.reason);
     }
     const std::vector<Totals> totals = totals_of_ended(runs);
-    text += fmt::format("\n{} of {} seeds came to their end; mean +- standard error over them:\n",
-                        totals.size(), runs.size());
-    return totals.empty() ? text : text + seed_means_text(totals);
+    text += fmt::format("\n{} of {} seeds came to their end", totals.size(), n_wanted);
+    if (totals.empty()) return text + "\n";
+    return text + "; mean +- standard error over them:\n" + seed_means_text(totals);
 }
 
 nlohmann::json json_of(const std::vector<SeedRun>& runs, ExitCode code) {
@@ -105,8 +105,11 @@ ExitCode code_of(const std::vector<SeedRun>& runs) {
     if (runs.back().was_interrupted()) return runs.back().code;
     ExitCode code = ExitCode::ok;
     for (const SeedRun& run : runs) {
-        if (!run.came_to_its_end()) return ExitCode::not_converged;
-        if (run.code == ExitCode::differs) code = ExitCode::differs;
+        if (run.code == ExitCode::ok || run.code == code) continue;
+        // Seeds that failed for different reasons: the reasons are in the report.
+        const bool is_first = code == ExitCode::ok || code == ExitCode::differs;
+        if (run.came_to_its_end() && !is_first) continue;
+        code = is_first ? run.code : ExitCode::not_converged;
     }
     return code;
 }
@@ -131,7 +134,7 @@ ExitCode run_seeds(const std::string& scene_file, const std::vector<std::uint64_
     if (options.json)
         print_json(json_of(runs, code));
     else
-        fmt::print("{}", text_of(runs));
+        fmt::print("{}", text_of(runs, seeds.size()));
     return code;
 }
 

@@ -55,10 +55,13 @@ std::string step_text(const StepAnatomy& anatomy) {
         else
             text += text_of(anatomy, std::get<StepAnatomy::Evaluation>(phase));
     const StepOutcome& outcome = anatomy.outcome;
-    text += fmt::format("\n{}: dt = {:.4g} s after {} longer attempt{}, estimated error {:.3g} um, "
+    // 0: the method compares with the velocity of the step before, which a file does not have.
+    const std::string error = outcome.error_um > 0.0 ? fmt::format("{:.3g} um", outcome.error_um)
+                                                     : std::string("not known");
+    text += fmt::format("\n{}: dt = {:.4g} s after {} longer attempt{}, estimated error {}, "
                         "largest motion {:.4g} um (node {})\n",
                         outcome.accepted ? "the step is good" : "the step fails", outcome.dt_s,
-                        outcome.rejected, outcome.rejected == 1 ? "" : "s", outcome.error_um,
+                        outcome.rejected, outcome.rejected == 1 ? "" : "s", error,
                         anatomy.largest_moved_um, place(anatomy.largest_moved));
     if (anatomy.node)
         text += fmt::format("node {} moves by {} um\n", place(*anatomy.node),
@@ -98,13 +101,14 @@ nlohmann::json step_json(const StepAnatomy& anatomy) {
                           {"terms", std::move(terms)}});
     }
     const StepOutcome& outcome = anatomy.outcome;
-    nlohmann::json document{{"phases", std::move(phases)},
-                            {"accepted", outcome.accepted},
-                            {"dt_s", outcome.dt_s},
-                            {"rejected", outcome.rejected},
-                            {"error_um", number_or_null(outcome.error_um)},
-                            {"largest_motion_um", anatomy.largest_moved_um},
-                            {"largest_motion_of", place(anatomy.largest_moved)}};
+    nlohmann::json document{
+        {"phases", std::move(phases)},
+        {"accepted", outcome.accepted},
+        {"dt_s", outcome.dt_s},
+        {"rejected", outcome.rejected},
+        {"error_um", outcome.error_um > 0.0 ? number_or_null(outcome.error_um) : nlohmann::json()},
+        {"largest_motion_um", anatomy.largest_moved_um},
+        {"largest_motion_of", place(anatomy.largest_moved)}};
     if (anatomy.node) {
         document["node"] = place(*anatomy.node);
         document["node_moved_um"] = vector_json(anatomy.node_moved_um);

@@ -29,6 +29,7 @@ reports::ReportTable table_of(const std::vector<reports::PullOff>& rows) {
                      {"F_over_piRW"}, {"time_s"}, {"steps"},         {"problem"}};
     for (const reports::PullOff& row : rows) {
         const auto number = [&](double value) -> reports::TableCell {
+            if (row.problem == reports::k_not_run) return reports::Missing{"-"};
             if (!row.problem.empty()) return reports::Missing{"failed"};
             return value;
         };

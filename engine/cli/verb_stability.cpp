@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -143,7 +144,13 @@ ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& dra
         for (const reports::StepLadder& ladder : reports::climb_steps(scene, options)) {
             const double ratio = ladder.estimate_over_stable();
             const bool is_met = reports::is_estimate_good(ladder);
-            if (!is_met)
+            if (!std::isfinite(ratio))
+                not_met += fmt::format("NOT MET  {} {}: there is no {} to compare with\n",
+                                       ladder.scene, ladder.method->name,
+                                       std::isfinite(ladder.largest_stable_s)
+                                           ? "estimate of the largest step"
+                                           : "step that holds and is the largest");
+            else if (!is_met)
                 not_met += fmt::format(
                     "NOT MET  {} {}: the estimate is {:.3g} of the largest step that "
                     "holds, not in [{:g}, {:g}]\n",

@@ -78,7 +78,7 @@ PullOff pull_apart(const scene::Scene& scene, const PullOffOptions& options) {
     const RunResult rest = engine.run(sinks, options.stop != nullptr ? *options.stop : never);
     result.area_at_rest_um2 = rest.totals.contact_area_um2;
     if (rest.verdict != RunVerdict::finished && rest.verdict != RunVerdict::cap) {
-        result.problem = rest.outcome + ": " + rest.message;
+        result.problem = rest.outcome + (rest.message.empty() ? "" : ": " + rest.message);
         return result;
     }
     if (!(result.area_at_rest_um2 > 0.0)) {
@@ -141,7 +141,9 @@ std::vector<PullOff> measure_pull_off(const std::string& file,
         if (options.progress)
             options.progress(variant.name, static_cast<double>(rows.size()) /
                                                static_cast<double>(variants.size()));
-        rows.push_back(pull_apart(changed, options));
+        const bool is_stopped = options.stop != nullptr && options.stop->load();
+        rows.push_back(is_stopped ? PullOff{} : pull_apart(changed, options));
+        if (is_stopped) rows.back().problem = k_not_run;
         rows.back().variant = variant.name;
     }
     return rows;

@@ -11,6 +11,9 @@
 namespace spheroscope::reports {
 
 /// Two cells that are pulled apart by a force that grows slowly until they part.
+/// Problem of a variant whose turn had not come when everything was stopped.
+inline constexpr const char* k_not_run = "stopped before its turn";
+
 struct PullOff {
     std::string variant;  ///< of the scene
     double E_kPa = 0.0;

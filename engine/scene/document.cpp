@@ -238,6 +238,15 @@ void apply_override(Document& document, const Override& override_) {
         walked += fmt::format("{}{}", walked.empty() ? "" : ".", step->key);
         Value* next = value->find(step->key);
         if (step->index) {
+            if (next == nullptr && *step->index == 0 && !rest.empty()) {
+                // the first of [[picture]], say, in a scene that has none
+                Value::Entry entry{std::string(step->key), loc, {}};
+                entry.value.loc = loc;
+                entry.value.kind = Value::Kind::list;
+                entry.value.items.emplace_back().loc = loc;
+                value->entries.push_back(std::move(entry));
+                next = &value->entries.back().value;
+            }
             const std::size_t n_items = next == nullptr ? 0 : next->items.size();
             if (*step->index >= n_items)
                 throw Error(loc, fmt::format("there is no {}[{}]: the scene has {} of them{}",

@@ -64,7 +64,8 @@ struct Document {
 [[nodiscard]] Document parse_document(const std::string& text, const std::string& name);
 
 /// Puts one override into the tree, making tables on its way. The value is read as a TOML value if
-/// it is one, else as bare text. Throws Error when the path leads through a value or beyond a list.
+/// it is one, else as bare text. Of a list that is not there, item 0 is made ("picture[0].field").
+/// Throws Error when the path leads through a value or beyond a list.
 void apply_override(Document& document, const Override& override_);
 
 }  // namespace spheroscope::scene

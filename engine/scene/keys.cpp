@@ -34,6 +34,7 @@ constexpr std::string_view k_ours = "chosen here";
 constexpr Bound positive{[](double x) { return x > 0.0; }, "> 0"};
 constexpr Bound not_negative{[](double x) { return x >= 0.0; }, ">= 0"};
 constexpr Bound at_least_one{[](double x) { return x >= 1.0; }, ">= 1"};
+constexpr Bound number_of_cells{[](double x) { return x >= 1.0 && x <= 1e5; }, "1 ... 100000"};
 constexpr Bound fraction{[](double x) { return x > 0.0 && x < 1.0; }, "between 0 and 1"};
 constexpr Bound mesh_size{[](double x) { return x == 42 || x == 162 || x == 642 || x == 2562; },
                           "42, 162, 642 or 2562"};
@@ -250,7 +251,7 @@ const auto& keys() {
             {}, {}, {}, "", "",
             "Beads packed at random (needs a stage `anneal`), one cell, two cells along z, given "
             "centres, or a frame of a finished run."},
-        Key{"cells", "count", reach<&S::cells, &Cells::count>(), number, at_least_one, required,
+        Key{"cells", "count", reach<&S::cells, &Cells::count>(), number, number_of_cells, required,
             with_packing, "75 ... 600", "Cuvelier et al. 2021, section 2", "Number of cells."},
         Key{"cells", "nodes", reach<&S::cells, &Cells::nodes>(), number, mesh_size, {}, {},
             "162 (quick), 642", k_ours,

@@ -38,7 +38,8 @@ Scene on_mesh(const Scene& scene, int nodes) {
 
 Scene load_scene(const std::string& path, const std::vector<Override>& overrides) {
     const Loc loc{path, 0, 0};
-    if (std::filesystem::is_directory(path))
+    std::error_code unknown;  // then opening it says what is wrong
+    if (std::filesystem::is_directory(path, unknown))
         throw Error(loc, "this is a directory, wanted a scene file (*.toml)");
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Error(loc, fmt::format("cannot open the scene: {}", std::strerror(errno)));

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace spheroscope::scene {
@@ -58,6 +60,11 @@ class ValueReader {
     void read(const Value& value, std::string& target) const {
         if (value.kind != Value::Kind::text) refuse(value, "");
         if (!key_.words.empty()) static_cast<void>(find_word(value, key_.words));
+        // They would reach terminals, pictures and XML, which have no use for them.
+        if (std::any_of(value.text.begin(), value.text.end(), [](char letter) {
+                return std::iscntrl(static_cast<unsigned char>(letter)) != 0 && letter != '\n';
+            }))
+            refuse(value, "(with control characters)");
         target = value.text;
     }
 

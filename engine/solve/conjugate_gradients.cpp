@@ -71,7 +71,8 @@ class ConjugateGradients::Solve {
             residual_in_double();
             if (!(rr_ < k_progress_per_pass * start)) break;
         }
-        outcome.converged = rr_ <= enough;
+        // Forces beyond all numbers: then everything is small beside them.
+        outcome.converged = rr_ <= enough && std::isfinite(bb);
         outcome.relative_residual = bb > 0.0 ? std::sqrt(rr_ / bb) : 0.0;
         return outcome;
     }

@@ -3,6 +3,7 @@
 #include "engine/base/index.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace spheroscope {
@@ -11,6 +12,15 @@ namespace {
 /// More iterations than this mean that the matrix is broken, not that the problem is hard: a cell's
 /// friction matrix has a condition number of some hundreds.
 constexpr int k_largest_iterations = 2000;
+
+/// The solvers add up squares of forces in single precision, which ends at 3e38. Cells have forces
+/// of some nN.
+constexpr double k_too_large_nN = 1e15;
+
+bool can_be_computed_with(const Vec3& force_nN) {
+    return std::abs(force_nN.x()) < k_too_large_nN && std::abs(force_nN.y()) < k_too_large_nN &&
+           std::abs(force_nN.z()) < k_too_large_nN;  // false for what is not a number
+}
 
 }  // namespace
 
@@ -92,8 +102,7 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
         std::fill(F.begin(), F.end(), Vec3::Zero());
         for (const auto& term : parts_.terms)
             if (acts(*term)) term->add_force(at, cell, F);
-        cell_is_finite_[idx(cell)] =
-            std::all_of(F.begin(), F.end(), [](const Vec3& f) { return f.allFinite(); }) ? 1 : 0;
+        cell_is_finite_[idx(cell)] = std::all_of(F.begin(), F.end(), can_be_computed_with) ? 1 : 0;
     });
     ++work_.force_evaluations;
     for (std::size_t t = 0; t < parts_.terms.size(); ++t)
@@ -147,9 +156,10 @@ std::optional<Trouble> System::find_trouble() {
         std::vector<Vec3> F(idx(model_.n_nodes()), Vec3::Zero());
         term->add_force(at, cell, F);
         for (std::size_t i = 0; i < F.size(); ++i)
-            if (!F[i].allFinite())
-                return Trouble{"the force is not finite", std::string(term->name()), cell,
-                               static_cast<int>(i), term->loc()};
+            if (!can_be_computed_with(F[i]))
+                return Trouble{F[i].allFinite() ? "the force is too large to compute with"
+                                                : "the force is not finite",
+                               std::string(term->name()), cell, static_cast<int>(i), term->loc()};
     }
     return Trouble{"the sum of forces is not finite", "", cell, -1, {}};
 }

@@ -107,6 +107,7 @@ TEST_F(BadInput, OfOptionsThatMeanNothingThereIsNotIgnored) {
     expect_refused({"precision", "scene.toml", "--most-nodes", "162"}, "--most-nodes is about");
     expect_refused({"precision", "scene.toml", "--mesh", "--levels", "3"}, "--levels is about");
     expect_refused({"reproduce", "no.claims", "--stored"}, "no.claims: cannot be read");
+    expect_refused({"pull-off", "scene.toml", "--rate", "nan"}, "wanted a number, got 'nan'");
     EXPECT_FALSE(fs::exists(path("x.h5")));
 }
 
@@ -198,6 +199,29 @@ TEST_F(BadInput, OfAStepFarTooLargeEndsWith3NamesTheCellAndLeavesTheLastGoodStat
     const Outcome again = call({"run", "scene.toml", "-o", "o", "--quiet", "--resume"});
     EXPECT_EQ(again.code, 3);
     EXPECT_EQ(again.err, outcome.err);
+}
+
+TEST_F(BadInput, OfAFullStdoutEndsWith5HoweverLongTheResultIs) {
+    for (const char* verb : {"--version", "man"}) {
+        const Outcome outcome = shell(std::string("exec \"$PROGRAM\" ") + verb + " > /dev/full");
+        EXPECT_EQ(outcome.code, 5) << verb << outcome.err;
+        EXPECT_NE(outcome.err.find("could not be written to stdout"), std::string::npos) << verb;
+    }
+}
+
+TEST_F(BadInput, OfASceneThatIsALinkToItselfIsRefused) {
+    fs::create_symlink("loop.toml", path("loop.toml"));
+    expect_refused({"check", "loop.toml"}, "cannot open the scene");
+}
+
+TEST_F(BadInput, OfAFullDiskLeavesNoHalfReport) {
+    write_file("scene.toml", all_stages_scene());
+    ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+    const Outcome outcome =
+        shell("ulimit -f 0; exec \"$PROGRAM\" extract o/run.h5 --contact 0-1 -o pair.toml");
+    EXPECT_EQ(outcome.code, 5) << outcome.err;
+    for (const std::string& name : names_in("."))
+        EXPECT_TRUE(name == "scene.toml" || name == "o") << name;
 }
 
 TEST_F(BadInput, OfAFullDiskEndsWith5AndTheReasonAndKeepsEveryFrameBefore) {

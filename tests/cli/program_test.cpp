@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <system_error>
 
 namespace spheroscope::cli {
 namespace {
@@ -116,6 +118,14 @@ TEST(Program, AnyOtherExceptionIsAnInternalError) {
         {"movie"}, [](const Invocation&) -> ExitCode { throw std::out_of_range("vector::at"); });
     EXPECT_EQ(outcome.code, ExitCode::internal);
     EXPECT_EQ(outcome.err.rfind("internal error: vector::at\n", 0), 0U) << outcome.err;
+}
+
+TEST(Program, WhatTheSystemRefusesIsNotCalledAMistakeOfTheProgram) {
+    const Outcome outcome = call({"movie"}, [](const Invocation&) -> ExitCode {
+        throw std::system_error(ENOSPC, std::generic_category(), "out/a.png");
+    });
+    EXPECT_EQ(outcome.code, ExitCode::environment);
+    EXPECT_EQ(outcome.err, "error: out/a.png: No space left on device\n");
 }
 
 TEST(Program, WantOfMemoryIsNotCalledAMistakeOfTheProgram) {

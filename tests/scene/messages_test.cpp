@@ -91,7 +91,7 @@ TEST(SceneMessages, ZeroCellsAreRefused) {
     const std::string text =
         with(k_drop, "\"single\"\nradius = \"9 um\"", "\"packing\"\ncount = 0");
     EXPECT_EQ(refusal(text),
-              "a.toml:3:9: error: cells.count must be >= 1, got 0\n"
+              "a.toml:3:9: error: cells.count must be 1 ... 100000, got 0\n"
               "    3 | count = 0\n"
               "      |         ^   typical: 75 ... 600 (Cuvelier et al. 2021, section "
               "2)");

@@ -68,12 +68,26 @@ TEST(SceneOverrides, MistakesNameTheOverride) {
               "arrangement = \"packing\"");
 }
 
+TEST(SceneOverrides, TheFirstPictureOfASceneWithoutOneCanBeAdded) {
+    const Scene scene =
+        read(k_drop, {{"picture[0].field", "gamma_eff"}, {"picture[0].name", "tension"}});
+    ASSERT_EQ(scene.pictures.size(), 1U);
+    EXPECT_EQ(scene.pictures[0].field, "gamma_eff");
+    EXPECT_EQ(scene.pictures[0].name, "tension");
+}
+
+TEST(SceneOverrides, TextsWithControlCharactersAreRefused) {
+    EXPECT_NE(
+        refusal(k_drop, {{"scene.title", "\"a\\u001b[2J\""}}).find("(with control characters)"),
+        std::string::npos);
+}
+
 TEST(SceneOverrides, PathsThatLeadNowhereAreRefused) {
     EXPECT_EQ(refusal(k_drop, {{"stage[1].duration", "2"}}),
               "--set stage[1].duration=2: error: there is no stage[1]: the scene has 1 of them, "
               "counted from 0");
-    EXPECT_EQ(refusal(k_drop, {{"picture[0].field", "a"}}),
-              "--set picture[0].field=a: error: there is no picture[0]: the scene has 0 of them");
+    EXPECT_EQ(refusal(k_drop, {{"picture[1].field", "a"}}),
+              "--set picture[1].field=a: error: there is no picture[1]: the scene has 0 of them");
     EXPECT_EQ(refusal(k_drop, {{"cells.radius.min", "5"}}),
               "--set cells.radius.min=5: error: cells.radius is a value in the scene, not a table");
     for (const char* path : {"", "cells.", ".nodes", "stage[x].cap", "stage[0", "stage[-1].cap"})

@@ -46,7 +46,7 @@ TEST(SceneFiles, TheCanonicalTextIsItsOwnCanonicalText) {
 
 TEST(SceneFiles, TheCanonicalTextKeepsEveryKindOfValue) {
     const std::string text = R"([scene]
-title = "quotes \" and \\ and µ and \u0007"
+title = "quotes \" and \\ and µ and \u00e9"
 seed = 9223372036854775807
 [cells]
 arrangement = "centres"
@@ -77,7 +77,7 @@ azimuth = "12.3 deg"
     const Scene a = parse_scene(text, "a.toml");
     const Scene b = parse_scene(a.resolved_toml, "b.toml");
     EXPECT_EQ(b.resolved_toml, a.resolved_toml);
-    EXPECT_EQ(b.title, "quotes \" and \\ and µ and \a");
+    EXPECT_EQ(b.title, "quotes \" and \\ and µ and é");
     EXPECT_EQ(b.seed, 9223372036854775807U);
     EXPECT_EQ(b.cells.centres_um, a.cells.centres_um);
     EXPECT_EQ(b.cells.centres_um[0][2], 0.30000000000000004);

@@ -68,6 +68,21 @@ TEST_P(FailedStep, NamesTermCellNodeAndSceneLineOfAForceThatIsNotFinite) {
     }
 }
 
+TEST_P(FailedStep, RefusesAForceWhoseSquareIsBeyondAllNumbers) {
+    for (const double force_nN : {1e30, 1e160, 1e300}) {
+        SystemParts parts = make_parts(values());
+        parts.terms.push_back(std::make_unique<Faulty>(force_nN, 1, 17));
+        System system(cells.model, std::move(parts), 1);
+        const std::uint64_t before = state.hash();
+        const StepOutcome outcome = step(system);
+        EXPECT_FALSE(outcome.accepted);
+        ASSERT_TRUE(outcome.trouble) << force_nN;
+        EXPECT_EQ(outcome.trouble->text(), "the force is too large to compute with from faulty "
+                                           "(faulty.toml:12:3), cell 1, node 17");
+        EXPECT_EQ(state.hash(), before);
+    }
+}
+
 TEST_P(FailedStep, LeavesTheStateWhenPositionsAreNotFinite) {
     System system(cells.model, make_parts(values()), 1);
     state.x_um[5].x() = std::numeric_limits<double>::quiet_NaN();
