@@ -256,7 +256,11 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
     }
     if (is_drawn) {
         const RunFileReader reader(run_file);
-        if (reader.n_frames() > 0) draw(reader, pictures, folder, arguments, outcome);
+        if (reader.n_frames() > 0)
+            draw(reader, pictures, folder, arguments, outcome);
+        else if (is_run_file(arguments.input))
+            throw Error(run_file + ": there is no frame to make a movie of",
+                        "the run has no frames yet");
     }
     if (arguments.common.json)
         cli::print_json(outcome.document);

@@ -62,6 +62,15 @@ TEST_F(InterruptedMovie, WhileItDrawsEndsWith130And143AndGoesOnWithThePicturesIt
 
 TEST_F(InterruptedMovie, ThatIsKilledGoesOnToTheSameFileToTheByte) {
     const auto bytes = [this](const std::string& name) {
+TEST_F(InterruptedMovie, OfARunWithoutFramesIsRefused) {
+    const std::string run = path("o/run.h5").string();
+    const auto header = RunFileReader(run).header();
+    static_cast<void>(RunFileWriter::append(run, *header, 0));
+    const Outcome outcome = call({"movie", "o/run.h5", "--quiet"});
+    EXPECT_EQ(outcome.code, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find("no frame to make a movie of"), std::string::npos) << outcome.err;
+}
+
         std::ifstream file(path(name), std::ios::binary);
         return std::string(std::istreambuf_iterator<char>(file), {});
     };
