@@ -308,7 +308,8 @@ MovieResult make_movie_of(std::span<FrameSource* const> runs, const MovieSetting
         }
         if (movie.writer) movie.attempt([&] { movie.writer->add(std::move(*image)); });
         if (!settings.keeps_pictures && movie.reason) std::rethrow_exception(movie.reason);
-        if (settings.on_progress) settings.on_progress(i + 1, result.n_frames);
+        result.n_done = i + 1;
+        if (settings.on_progress) settings.on_progress(result.n_done, result.n_frames);
     }
     files.finish();
     if (result.stopped) return result;

@@ -26,6 +26,7 @@ struct MovieSettings {
 
 struct MovieResult {
     int n_frames = 0;          ///< pictures of the movie
+    int n_done = 0;            ///< that are there; all unless it was stopped
     int n_drawn = 0;           ///< the others were there already, with the same fingerprint
     bool stopped = false;      ///< on request: the pictures so far are there, the movie is not
     Range range;               ///< of the whole movie; of nothing with range = "frame"

@@ -94,18 +94,24 @@ void draw(const RunFileReader& reader, const std::vector<scene::Picture>& pictur
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         outcome.document["movies"].push_back(
             {{"picture", picture.name},
-             {"movie", settings.movie_path.string()},
+             {"movie",
+              result.stopped ? nlohmann::json() : nlohmann::json(settings.movie_path.string())},
              {"frames_folder", arguments.no_png ? "" : settings.frames_folder.string()},
              {"frames", result.n_frames},
              {"drawn", result.n_drawn},
+             {"done", result.n_done},
              {"stopped", result.stopped},
              {"share_outside_range", result.share_outside},
              {"wall_s", wall_s}});
-        outcome.text += fmt::format("movie                {} ({} frames, {} drawn, {})\n",
-                                    settings.movie_path.string(), result.n_frames, result.n_drawn,
-                                    cli::duration_text(wall_s));
+        if (!result.stopped)
+            outcome.text += fmt::format("movie                {} ({} frames, {} drawn, {})\n",
+                                        settings.movie_path.string(), result.n_frames,
+                                        result.n_drawn, cli::duration_text(wall_s));
         if (result.stopped) {
             outcome.code = interrupted();
+            outcome.text +=
+                fmt::format("movie                none: stopped after {} of {} pictures\n",
+                            result.n_done, result.n_frames);
             return;
         }
     }

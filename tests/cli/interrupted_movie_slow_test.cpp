@@ -50,6 +50,8 @@ TEST_F(InterruptedMovie, WhileItDrawsEndsWith130And143AndGoesOnWithThePicturesIt
         kill(process, signal);
         const Outcome outcome = wait_for(process);
         EXPECT_EQ(outcome.code, code) << outcome.err;
+        EXPECT_NE(outcome.out.find("none: stopped after "), std::string::npos) << outcome.out;
+        EXPECT_NE(outcome.out.find(" of 24 pictures"), std::string::npos) << outcome.out;
         expect_only_pictures(23);
         EXPECT_FALSE(fs::exists(path("o/main.mp4")));
     }
@@ -60,8 +62,6 @@ TEST_F(InterruptedMovie, WhileItDrawsEndsWith130And143AndGoesOnWithThePicturesIt
     EXPECT_EQ(nlohmann::json::parse(movie.out)["movies"][0]["drawn"], 24 - n_there);
 }
 
-TEST_F(InterruptedMovie, ThatIsKilledGoesOnToTheSameFileToTheByte) {
-    const auto bytes = [this](const std::string& name) {
 TEST_F(InterruptedMovie, OfARunWithoutFramesIsRefused) {
     const std::string run = path("o/run.h5").string();
     const auto header = RunFileReader(run).header();
@@ -71,6 +71,8 @@ TEST_F(InterruptedMovie, OfARunWithoutFramesIsRefused) {
     EXPECT_NE(outcome.err.find("no frame to make a movie of"), std::string::npos) << outcome.err;
 }
 
+TEST_F(InterruptedMovie, ThatIsKilledGoesOnToTheSameFileToTheByte) {
+    const auto bytes = [this](const std::string& name) {
         std::ifstream file(path(name), std::ios::binary);
         return std::string(std::istreambuf_iterator<char>(file), {});
     };

@@ -118,6 +118,7 @@ TEST(Movie, ResumesWithThePicturesThatAreThereAndReplacesAllOthers) {
     settings.stop_requested = [&n_asked] { return ++n_asked > 2; };
     const MovieResult stopped = make_movie(frames, settings);
     EXPECT_TRUE(stopped.stopped);
+    EXPECT_EQ(stopped.n_done, 2);
     EXPECT_EQ(stopped.n_drawn, 2);
     EXPECT_EQ(count_files(pictures), 2);
     EXPECT_FALSE(fs::exists(settings.movie_path));
