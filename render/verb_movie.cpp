@@ -5,6 +5,7 @@
 #include "engine/cli/version.hpp"
 #include "render/image_diff.hpp"
 #include "render/movie.hpp"
+#include "render/movie_painter.hpp"
 #include "render/png.hpp"
 #include "render/verb_pictures.hpp"
 #include "render/verbs.hpp"
@@ -98,8 +99,8 @@ void draw(const RunFileReader& reader, const std::vector<scene::Picture>& pictur
               result.stopped ? nlohmann::json() : nlohmann::json(settings.movie_path.string())},
              {"frames_folder", arguments.no_png ? "" : settings.frames_folder.string()},
              {"frames", result.n_frames},
-             {"drawn", result.n_drawn},
              {"done", result.n_done},
+             {"drawn", result.n_drawn},
              {"stopped", result.stopped},
              {"share_outside_range", result.share_outside},
              {"wall_s", wall_s}});
@@ -108,10 +109,10 @@ void draw(const RunFileReader& reader, const std::vector<scene::Picture>& pictur
                                         settings.movie_path.string(), result.n_frames,
                                         result.n_drawn, cli::duration_text(wall_s));
         if (result.stopped) {
-            outcome.code = interrupted();
             outcome.text +=
                 fmt::format("movie                none: stopped after {} of {} pictures\n",
                             result.n_done, result.n_frames);
+            outcome.code = interrupted();
             return;
         }
     }
@@ -148,15 +149,31 @@ std::string run_of_picture(const fs::path& picture) {
     return "";
 }
 
+/// Whether the n parts of a picture are frames of one run, as far as its file says.
+bool is_strip_of_one_run(const render::PngTexts& texts, int n_shown) {
+    std::string prefix;
+    for (int k = 1; k < n_shown; ++k) {
+        prefix += render::MoviePainter::k_beside;
+        for (const std::string key : {"Scene", "Seed"}) {
+            const auto first = texts.find(key), other = texts.find(prefix + key);
+            if (first == texts.end() || other == texts.end() || first->second != other->second)
+                return false;
+        }
+    }
+    return true;
+}
+
 /// Draws a picture again from what its file says, of a run that is there or is simulated anew.
 ExitCode verify(const MovieArguments& arguments, const cli::Invocation& invocation) {
     const render::PngFile file = render::read_png(arguments.verify);
-    if (render::n_runs_shown(file.texts) != (arguments.compare.empty() ? 1 : 2))
-        throw Error(arguments.compare.empty()
-                        ? arguments.verify + " shows two runs, or two frames of one, side by side"
-                        : arguments.verify + " shows one run",
-                    arguments.compare.empty() ? "name the other one with --compare"
-                                              : "leave --compare out");
+    const int n_shown = render::n_shown(file.texts);
+    if (arguments.compare.empty() && !is_strip_of_one_run(file.texts, n_shown))
+        throw Error(arguments.verify + " shows two runs side by side",
+                    "name the other one with --compare");
+    if (!arguments.compare.empty() && n_shown != 2)
+        throw Error(fmt::format("{} shows {} of one run", arguments.verify,
+                                n_shown == 1 ? "a frame" : fmt::format("{} frames", n_shown)),
+                    "leave --compare out");
     std::string run_file =
         arguments.input.empty() ? run_of_picture(arguments.verify) : arguments.input;
     std::optional<ScratchFolder> scratch;
@@ -180,13 +197,13 @@ ExitCode verify(const MovieArguments& arguments, const cli::Invocation& invocati
     }
     const RunFileReader reader(run_file);
     StoredFrames frames(reader);
-    std::vector<render::FrameSource*> runs{&frames};
+    std::vector<render::FrameSource*> runs(static_cast<std::size_t>(n_shown), &frames);
     std::optional<RunFileReader> other_reader;
     std::optional<StoredFrames> other;
     if (!arguments.compare.empty()) {
         other_reader.emplace(arguments.compare);
         other.emplace(*other_reader);
-        runs.push_back(&*other);
+        runs[1] = &*other;
     }
     const render::Verification result = render::verify_picture(file, runs, cli::version_text());
     const bool verified = result.reasons.empty();

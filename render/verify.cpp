@@ -34,20 +34,23 @@ int number_of(const std::string& text, const std::string& key) {
 
 }  // namespace
 
-int n_runs_shown(const PngTexts& texts) {
+int n_shown(const PngTexts& texts) {
     static_cast<void>(text_of(texts, k_view_key));
-    return texts.contains(std::string(MoviePainter::k_beside) + k_view_key) ? 2 : 1;
+    int n = 1;
+    for (std::string prefix = MoviePainter::k_beside; texts.contains(prefix + k_view_key); ++n)
+        prefix += MoviePainter::k_beside;
+    return n;
 }
 
 Verification verify_picture(const PngFile& file, std::span<FrameSource* const> runs,
                             const std::string& drawn_by) {
-    SPHEROSCOPE_ASSERT(static_cast<int>(runs.size()) == n_runs_shown(file.texts),
-                       "one source for each run that is shown");
+    SPHEROSCOPE_ASSERT(static_cast<int>(runs.size()) == n_shown(file.texts),
+                       "one source for each part that is shown");
     const scene::Picture picture = parse_description(text_of(file.texts, k_view_key)).picture;
     std::vector<MoviePainter::Shown> shown;
     std::vector<Survey> surveys;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        const std::string prefix = k == 0 ? "" : MoviePainter::k_beside;
+    std::string prefix;
+    for (std::size_t k = 0; k < runs.size(); ++k, prefix += MoviePainter::k_beside) {
         const int frame = number_of(text_of(file.texts, prefix + "Frame"), prefix + "Frame");
         if (frame >= runs[k]->n_frames())
             throw Error("the picture shows frame " + std::to_string(frame) + ", the run has only " +

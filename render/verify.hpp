@@ -19,14 +19,15 @@ struct Verification {
     std::vector<std::string> reasons;  ///< why it differs; empty: verified
 };
 
-/// runs: the picture's run, and that beside it if it shows two. Throws Error (usage) when the file
+/// runs: of each part of the picture from left to right; the same one again for several frames of
+/// one run. Throws Error (usage) when the file
 /// does not say how it was drawn, when a run is of another scene or seed, or has no such frame;
 /// else as MoviePainter.
 [[nodiscard]] Verification verify_picture(const PngFile& file, std::span<FrameSource* const> runs,
                                           const std::string& drawn_by);
 
-/// How many runs, or frames of one, the picture shows side by side: 1, or 2 for more than one.
-/// Throws Error when the file does not say how it was drawn.
-[[nodiscard]] int n_runs_shown(const PngTexts& texts);
+/// How many runs, or frames of one, the picture shows side by side. Throws Error when the file does
+/// not say how it was drawn.
+[[nodiscard]] int n_shown(const PngTexts& texts);
 
 }  // namespace spheroscope::render

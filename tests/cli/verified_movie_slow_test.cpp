@@ -77,6 +77,8 @@ TEST_F(VerifiedMovie, FramesBesideEachOtherAreOnePicture) {
     const Outcome strip = call({"render", "o/run.h5", "--frames", "anneal,20,-1", "-o", "o"});
     ASSERT_EQ(strip.code, 0) << strip.err;
     EXPECT_EQ(width_px(path("o/main_strip.png")), 3 * width_px(path("o/main_000020.png")));
+    EXPECT_EQ(verify({"o/main_strip.png"}, 0)["max_difference"], 0);
+    EXPECT_EQ(call({"movie", "--verify", "o/main_strip.png", "--compare", "o/run.h5"}).code, 2);
     const Outcome refused = call({"render", "o/run.h5", "--frames", "anneal,fly", "-o", "o"});
     EXPECT_EQ(refused.code, 2);
     EXPECT_NE(refused.err.find("got 'fly'"), std::string::npos) << refused.err;

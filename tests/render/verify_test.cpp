@@ -70,11 +70,27 @@ TEST_F(Verify, OfTwoRunsWantsBoth) {
     DriftingPair other(4, 0.05F, 1.0);
     make_comparison(run_, other, settings_);
     const PngFile file = picture(1);
-    ASSERT_EQ(n_runs_shown(file.texts), 2);
+    ASSERT_EQ(n_shown(file.texts), 2);
     FrameSource* const runs[]{&run_, &other};
     EXPECT_TRUE(verify_picture(file, runs, "test").reasons.empty());
     FrameSource* const same_twice[]{&run_, &run_};
     EXPECT_FALSE(verify_picture(file, same_twice, "test").reasons.empty());
+}
+
+TEST_F(Verify, DrawsSeveralFramesOfOneRunAgain) {
+    scene::Picture plain = settings_.picture;
+    plain.plot.clear();
+    const Survey survey = survey_frames(run_, plain);
+    FrameSource* const runs[]{&run_, &run_, &run_};
+    MoviePainter painter(runs, std::vector<Survey>(3, survey), plain, "test");
+    std::vector<MoviePainter::Shown> shown(3);
+    for (int k = 0; k < 3; ++k) shown[static_cast<std::size_t>(k)].frame = k + 1;
+    PngFile file{painter.paint(shown), painter.texts(shown)};
+    file.texts[k_drawn_with_key] = painter.drawn_with();
+    ASSERT_EQ(n_shown(file.texts), 3);
+    EXPECT_TRUE(verify_picture(file, runs, "test").reasons.empty());
+    file.texts[std::string(MoviePainter::k_beside) + MoviePainter::k_beside + "Frame"] = "1";
+    EXPECT_FALSE(verify_picture(file, runs, "test").reasons.empty()) << "the third one counts";
 }
 
 TEST_F(Verify, RefusesPicturesThatCannotBeDrawnAgain) {
