@@ -31,11 +31,26 @@ namespace spheroscope::render {
 
 namespace {
 
-Error no_movie(const std::string& what) {
-    return Error(
-        "no movie: " + what,
-        "the pictures (PNG) that are done stay; install ffmpeg with libx264 (Debian: ffmpeg)",
-        ExitCode::environment);
+Error no_movie(const std::string& what, const std::string& remedy = "") {
+    return Error("no movie: " + what,
+                 "the pictures (PNG) that are done stay" + (remedy.empty() ? "" : "; " + remedy),
+                 ExitCode::environment);
+}
+
+constexpr const char* k_install = "install ffmpeg with libx264 (Debian: ffmpeg)";
+constexpr const char* k_look_at_disk = "is the disk full, or the folder protected?";
+
+/// ffmpeg ended by itself: what helps depends on what it complained of.
+Error ffmpeg_stopped(const std::string& complaint) {
+    const auto names = [&](const char* words) {
+        return complaint.find(words) != std::string::npos;
+    };
+    const bool is_disk = names("No space left") || names("quota exceeded") ||
+                         names("Permission denied") || names("Read-only file system");
+    const bool is_incomplete = names("Unknown encoder") || names("Encoder not found");
+    const std::string what = "ffmpeg stopped: " + complaint;
+    if (is_disk) return no_movie(what, k_look_at_disk);
+    return no_movie(what, is_incomplete ? k_install : "");
 }
 
 constexpr int k_metadata_number = 3;  // in ffmpeg, after its standard ones
@@ -94,8 +109,8 @@ Encoder::Encoder(const std::vector<std::string>& arguments, const std::string& m
     posix_spawnattr_destroy(&attributes);
     if (error != 0) {
         process_ = -1;
-        throw no_movie("the program ffmpeg cannot be started: " +
-                       std::string(std::strerror(error)));
+        throw no_movie("the program ffmpeg cannot be started: " + std::string(std::strerror(error)),
+                       k_install);
     }
 }
 
@@ -258,7 +273,7 @@ struct MovieWriter::Hidden {
     [[noreturn]] void report_death() {
         stop_feeder();
         static_cast<void>(encoder.finish());
-        throw no_movie("ffmpeg stopped: " + encoder.complaint());
+        throw ffmpeg_stopped(encoder.complaint());
     }
 };
 
@@ -289,11 +304,11 @@ void MovieWriter::finish() {
     Hidden& h = *hidden_;
     h.stop_feeder();
     const bool ended_well = h.encoder.finish();
-    if (h.encoder_has_died || !ended_well)
-        throw no_movie("ffmpeg stopped: " + h.encoder.complaint());
+    if (h.encoder_has_died || !ended_well) throw ffmpeg_stopped(h.encoder.complaint());
     std::error_code error;
     std::filesystem::rename(h.partial, h.settings.path, error);
-    if (error) throw no_movie("the file cannot be given its name: " + error.message());
+    if (error)
+        throw no_movie("the file cannot be given its name: " + error.message(), k_look_at_disk);
     h.finished = true;
 }
 

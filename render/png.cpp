@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <system_error>
 #include <vector>
 
 namespace spheroscope::render {
@@ -138,10 +139,19 @@ Error damaged(const std::filesystem::path& path, const std::string& why) {
 void write_png(const std::filesystem::path& path, const Image& image, const PngTexts& texts) {
     std::filesystem::path temporary = path;
     temporary += ".partial";
-    const auto fail = [&](const std::string& why) {
+    const std::string what = "the picture " + path.string() + " cannot be written: ";
+    const auto clean_up = [&] {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
-        return Error("the picture " + path.string() + " cannot be written: " + why);
+    };
+    const auto fail = [&](int error) {
+        clean_up();
+        const std::string why = std::generic_category().message(error);
+        // A path that cannot be is the caller's; everything else is the file system's.
+        if (error == ENOENT || error == ENOTDIR || error == EISDIR || error == ENOTEMPTY)
+            return Error(what + why);
+        return Error(what + why, "is the disk full, or the folder protected?",
+                     ExitCode::environment);
     };
 
     Image pixels = image;  // libpng wants rows that are not const
@@ -159,16 +169,20 @@ void write_png(const std::filesystem::path& path, const Image& image, const PngT
     }
 
     File file(std::fopen(temporary.c_str(), "wb"));
-    if (!file) throw fail(std::strerror(errno));
+    if (!file) throw fail(errno);
     PngOutput output;
-    if (!output.write(file.get(), pixels, png_texts, rows)) throw fail(output.message());
+    errno = 0;
+    if (!output.write(file.get(), pixels, png_texts, rows)) {
+        if (std::ferror(file.get()) != 0) throw fail(errno != 0 ? errno : EIO);
+        clean_up();
+        throw Error(what + output.message());
+    }
     // Data can still be lost between our buffer and the disk (a full disk shows here).
-    if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0)
-        throw fail(std::strerror(errno));
+    if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0) throw fail(errno);
     file.reset();
     std::error_code error;
     std::filesystem::rename(temporary, path, error);
-    if (error) throw fail(error.message());
+    if (error) throw fail(error.value());
 }
 
 PngFile read_png(const std::filesystem::path& path) {

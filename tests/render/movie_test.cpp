@@ -186,6 +186,29 @@ TEST(Movie, WhoseFfmpegDiesIsAnErrorWithItsLastWordsAndThePicturesStay) {
     EXPECT_FALSE(fs::exists(settings.movie_path.string() + ".partial"));
 }
 
+TEST(Movie, WhoseFfmpegDiesSaysWhatHelpsAgainstThatCause) {
+    const auto hint_after = [](const std::string& last_words) -> std::string {
+        const TemporaryFolder folder, programs;
+        const fs::path fake = programs.path() / "ffmpeg";
+        std::ofstream(fake) << "#!/bin/sh\necho '" << last_words << "' >&2\nexit 1\n";
+        fs::permissions(fake, fs::perms::owner_all);
+        DriftingPair frames(2);
+        const PathIs path(programs.path());
+        try {
+            make_movie(frames, settings_in(folder.path()));
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "no error";
+    };
+    const std::string full = hint_after("av_interleaved_write_frame(): No space left on device");
+    EXPECT_NE(full.find("is the disk full"), std::string::npos) << full;
+    EXPECT_EQ(full.find("install"), std::string::npos) << full;
+    const std::string bare = hint_after("Unknown encoder libx264");
+    EXPECT_NE(bare.find("install ffmpeg with libx264"), std::string::npos) << bare;
+    EXPECT_EQ(bare.find("disk"), std::string::npos) << bare;
+}
+
 TEST(Movie, OfOddSizeIsRefusedWithTheReason) {
     const TemporaryFolder folder;
     DriftingPair frames(2);
