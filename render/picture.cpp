@@ -318,6 +318,10 @@ Image Renderer::draw(const Snapshot& snapshot, const View& view) {
         h.field != nullptr && !view.range && h.picture.range != "given";
     const bool draws_axes = has_mechanics && h.picture.stress_axes;
     furniture.paleness = draws_network || draws_axes ? k_paleness_behind_network : 0.0;
+    // The scale bar holds for the cells, not for the room between them. First: it has to be seen.
+    if (h.picture.exploded > 0.0)
+        furniture.notes.insert(furniture.notes.begin(),
+                               fmt::format("pulled apart by {:g}", h.picture.exploded));
 
     const bool cutaway = view.cutaway.value_or(h.picture.cutaway);
     const std::vector<int> cells = h.drawn_cells(snapshot, final_camera, cutaway);

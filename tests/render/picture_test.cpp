@@ -147,6 +147,46 @@ TEST(Picture, UnderABeadHasRoomForAllOfItAndOfTheCells) {
               camera.project(aggregate_centre_um(*snapshot)).y);
 }
 
+TEST(Picture, PulledApartMakesNoRoomForTheBeadThatItLeavesOut) {
+    const auto snapshot = make_aggregate(13, 42);
+    scene::Picture picture = front_picture("mean_stress");
+    picture.exploded = 0.5;
+    Renderer renderer(snapshot->header, picture);
+    const Camera alone = renderer.camera(*snapshot, {});
+    const Image image = renderer.render(*snapshot, {});
+    Probe& probe = snapshot->load.probe;
+    probe.radius_um = 2.0 * aggregate_extent_um(*snapshot);
+    probe.direction = Vec3(0.0, 0.0, -1.0);
+    probe.start_um = aggregate_centre_um(*snapshot) + Vec3(0.0, 0.0, 2.0 * probe.radius_um);
+    snapshot->load.hull = std::make_shared<const Hull>();
+    EXPECT_EQ(renderer.camera(*snapshot, {}).px_per_um, alone.px_per_um);
+    EXPECT_EQ(shown_extent_um(*snapshot, picture), aggregate_extent_um(*snapshot));
+    const Image under_load = renderer.render(*snapshot, {});
+    // The cells are the same; beside them stand the notes of the load.
+    int n_other = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = image.width / 3; x < image.width; ++x)
+            n_other += under_load.at(x, y) == image.at(x, y) ? 0 : 1;
+    EXPECT_LT(n_other, image.width * image.height / 200);
+}
+
+TEST(Picture, PulledApartSaysByHowMuch) {
+    const auto snapshot = make_aggregate(13, 42);
+    scene::Picture picture = make_picture("mean_stress");
+    Renderer renderer(snapshot->header, picture);
+    const auto ink_of_notes = [&] {
+        const Image image = renderer.render(*snapshot, {});
+        int n_ink = 0;
+        for (int y = 60; y < image.height / 3; ++y)
+            for (int x = 0; x < image.width / 8; ++x) n_ink += image.at(x, y).r < 160 ? 1 : 0;
+        return n_ink;
+    };
+    const int without = ink_of_notes();
+    picture.exploded = 0.5;
+    renderer.set_picture(picture);
+    EXPECT_GT(ink_of_notes(), without + 100);
+}
+
 TEST(Picture, StressAxesAreRedAlongTensionAndBlueAlongCompression) {
     auto header = make_header(1, 162);
     for (const std::string_view name : scene::k_stress_components)
