@@ -136,7 +136,7 @@ Survey survey_frames(FrameSource& frames, const scene::Picture& picture) {
         survey.time_s.push_back(snapshot->time_s);
         survey.stage_names.push_back(snapshot->stage_name);
         if (plotted != nullptr) survey.plotted.push_back(value_of(*plotted, snapshot->totals));
-        extent_um.push_back(shown_extent_um(*snapshot));
+        extent_um.push_back(shown_extent_um(*snapshot, picture));
         const int field = find_picture_field(*snapshot->header, picture);
         if (field >= 0) {
             const auto index = static_cast<std::size_t>(field);

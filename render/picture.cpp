@@ -73,11 +73,16 @@ std::vector<std::string> notes(const Snapshot& snapshot) {
     return lines;
 }
 
+/// Cells that are pulled apart are no longer under the bead, which is then left out.
+bool draws_load(const Snapshot& snapshot, const scene::Picture& picture) {
+    return snapshot.load.probe.acts() && picture.exploded == 0.0;
+}
+
 /// Distance from the middle of the aggregate within which everything lies that is drawn.
-double drawn_extent_um(const Snapshot& snapshot) {
+double drawn_extent_um(const Snapshot& snapshot, const scene::Picture& picture) {
     const Probe& probe = snapshot.load.probe;
     double extent_um = aggregate_extent_um(snapshot);
-    if (!probe.acts()) return extent_um;
+    if (!draws_load(snapshot, picture)) return extent_um;
     const Vec3 centre_um = aggregate_centre_um(snapshot);
     for (const Vec3& x : snapshot.load.hull->vertex_um)
         extent_um = std::max(extent_um, (x - centre_um).norm());
@@ -86,9 +91,9 @@ double drawn_extent_um(const Snapshot& snapshot) {
 
 /// From the middle of the aggregate to the middle of all that is shown, half way between the far
 /// ends of cells and bead; zero without a bead.
-Vec3 bead_aside_um(const Snapshot& snapshot) {
+Vec3 bead_aside_um(const Snapshot& snapshot, const scene::Picture& picture) {
     const Probe& probe = snapshot.load.probe;
-    if (!probe.acts()) return Vec3::Zero();
+    if (!draws_load(snapshot, picture)) return Vec3::Zero();
     const Vec3 way_um = probe.centre_um() - aggregate_centre_um(snapshot);
     const double beyond_um = way_um.norm() + probe.radius_um - aggregate_extent_um(snapshot);
     return std::max(0.0, 0.5 * beyond_um) * way_um.normalized();
@@ -98,8 +103,8 @@ Vec3 bead_aside_um(const Snapshot& snapshot) {
 
 bool shows_field(const Snapshot& snapshot) { return snapshot.stage_name != "anneal"; }
 
-double shown_extent_um(const Snapshot& snapshot) {
-    return aggregate_extent_um(snapshot) + bead_aside_um(snapshot).norm();
+double shown_extent_um(const Snapshot& snapshot, const scene::Picture& picture) {
+    return aggregate_extent_um(snapshot) + bead_aside_um(snapshot, picture).norm();
 }
 
 int find_picture_field(const RunHeader& header, const scene::Picture& picture) {
@@ -280,7 +285,7 @@ Image Renderer::render(const Snapshot& snapshot, const View& view) {
     const double share = hidden_->picture.exploded;
     if (!(share > 0.0)) return draw(snapshot, view);
     View of_all = view;
-    if (!view.fit_radius_um) of_all.fit_radius_um = shown_extent_um(snapshot);
+    if (!view.fit_radius_um) of_all.fit_radius_um = shown_extent_um(snapshot, hidden_->picture);
     return draw(exploded(snapshot, share), of_all);
 }
 
@@ -298,7 +303,7 @@ Image Renderer::draw(const Snapshot& snapshot, const View& view) {
     drawn_camera.px_per_um *= drawn_per_final;
     drawn_camera.centre_x_px *= drawn_per_final;
     drawn_camera.centre_y_px *= drawn_per_final;
-    const double reach_um = 1.05 * drawn_extent_um(snapshot);
+    const double reach_um = 1.05 * drawn_extent_um(snapshot, h.picture);
 
     Furniture furniture;
     furniture.title = h.header->title.empty() ? h.header->scene_name : h.header->title;
@@ -313,23 +318,21 @@ Image Renderer::draw(const Snapshot& snapshot, const View& view) {
         furniture.notes = notes(snapshot);
         furniture.field = h.field;
     }
+    // The scale bar holds for the cells, not for the room between them. First: it has to be seen.
+    if (h.picture.exploded > 0.0)
+        furniture.notes.insert(furniture.notes.begin(),
+                               fmt::format("pulled apart by {:g}", h.picture.exploded));
     furniture.range = h.choose_range(snapshot, view);
     furniture.range_is_of_this_frame =
         h.field != nullptr && !view.range && h.picture.range != "given";
     const bool draws_axes = has_mechanics && h.picture.stress_axes;
     furniture.paleness = draws_network || draws_axes ? k_paleness_behind_network : 0.0;
-    // The scale bar holds for the cells, not for the room between them. First: it has to be seen.
-    if (h.picture.exploded > 0.0)
-        furniture.notes.insert(furniture.notes.begin(),
-                               fmt::format("pulled apart by {:g}", h.picture.exploded));
 
     const bool cutaway = view.cutaway.value_or(h.picture.cutaway);
     const std::vector<int> cells = h.drawn_cells(snapshot, final_camera, cutaway);
     h.colour_cells(snapshot, cells, furniture);
     h.context.draw(h.surfaces.actor(), drawn_camera, reach_um, h.cells_drawn);
-    // Cells that are pulled apart are no longer under the bead.
-    if (snapshot.load.probe.acts() && h.picture.exploded == 0.0)
-        h.draw_load(snapshot, drawn_camera, reach_um, cutaway);
+    if (draws_load(snapshot, h.picture)) h.draw_load(snapshot, drawn_camera, reach_um, cutaway);
     if (draws_axes) h.draw_stress_axes(snapshot, cells, drawn_camera, reach_um, furniture);
     if (draws_network) h.draw_network(snapshot, drawn_camera, reach_um, cutaway, furniture);
     Image image = make_image(h.cells_drawn, n_samples, drawn_camera.px_per_um);
@@ -350,16 +353,16 @@ Camera Renderer::camera(const Snapshot& snapshot, const View& view) const {
     const double free_width = width - layout.column_px;
     // No node of the aggregate pulled apart is farther out than this; extents are those of frames
     // as they are.
-    const double radius_um = (1.0 + h.picture.exploded) *
-                             (view.fit_radius_um ? *view.fit_radius_um : shown_extent_um(snapshot));
+    const double radius_um =
+        (1.0 + h.picture.exploded) *
+        (view.fit_radius_um ? *view.fit_radius_um : shown_extent_um(snapshot, h.picture));
     camera.px_per_um = k_filled_share * 0.5 * std::min<double>(height, free_width) / radius_um;
     camera.centre_x_px = 0.5 * free_width;
     camera.centre_y_px = 0.5 * height + 8.0 * layout.scale;  // room for the title
-    if (h.picture.exploded == 0.0) {
-        const Camera::Pixel middle = camera.project(camera.focal_um + bead_aside_um(snapshot));
-        camera.centre_x_px += camera.centre_x_px - middle.x;
-        camera.centre_y_px += camera.centre_y_px - middle.y;
-    }
+    const Camera::Pixel middle =
+        camera.project(camera.focal_um + bead_aside_um(snapshot, h.picture));
+    camera.centre_x_px += camera.centre_x_px - middle.x;
+    camera.centre_y_px += camera.centre_y_px - middle.y;
     return camera;
 }
 

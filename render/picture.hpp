@@ -35,8 +35,9 @@ struct View {
     Quality quality = Quality::full;
 };
 
-/// Half the extent that the picture makes room for: of the cells, and of the bead where one acts.
-[[nodiscard]] double shown_extent_um(const Snapshot& snapshot);
+/// Half the extent that the picture makes room for, before cells are pulled apart: of the cells,
+/// and of the bead where one acts and is drawn.
+[[nodiscard]] double shown_extent_um(const Snapshot& snapshot, const scene::Picture& picture);
 
 /// Turns snapshots of one run into pictures, one view of the scene. Pictures are the same bits for
 /// the same input. One thread makes, uses and destroys it.

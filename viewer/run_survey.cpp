@@ -1,5 +1,6 @@
 #include "viewer/run_survey.hpp"
 
+#include "engine/run/aggregate_shape.hpp"
 #include "render/movie.hpp"
 
 namespace spheroscope::viewer {
@@ -14,7 +15,8 @@ void RunSurvey::add(const Snapshot& snapshot) {
         for (std::size_t f = 0; f < finders_.size(); ++f) finders_[f].add(snapshot.fields[f]);
     }
     time_s_.push_back(snapshot.time_s);
-    extent_um_.push_back(render::shown_extent_um(snapshot));
+    extent_um_.push_back(render::shown_extent_um(snapshot, {}));
+    cells_extent_um_.push_back(aggregate_extent_um(snapshot));
     summaries_.push_back(summary_of(snapshot));
 }
 
@@ -27,7 +29,8 @@ render::View RunSurvey::view_of(const Snapshot& snapshot, const scene::Picture& 
         // A look between frames has the scale of the last one.
         const int frame = snapshot.frame < 0 ? n_frames - 1 : snapshot.frame;
         view.fit_radius_um =
-            render::fit_radii(extent_um_, picture.fps)[static_cast<std::size_t>(frame)];
+            render::fit_radii(picture.exploded > 0.0 ? cells_extent_um_ : extent_um_,
+                              picture.fps)[static_cast<std::size_t>(frame)];
     }
     view.progress = n_frames > 1 && snapshot.frame >= 0
                         ? static_cast<double>(snapshot.frame) / (n_frames - 1)

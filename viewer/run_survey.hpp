@@ -27,7 +27,9 @@ class RunSurvey {
 
   private:
     std::vector<render::RangeFinder> finders_;  // one for each field
-    std::vector<double> extent_um_, time_s_;
+    // With the bead, as pictures show it, and without, as those do that pull the cells apart.
+    std::vector<double> extent_um_, cells_extent_um_;
+    std::vector<double> time_s_;
     std::vector<FrameSummary> summaries_;
     bool has_mechanics_ = false;
 };

@@ -458,11 +458,12 @@ TEST(Picture, ShowsItsCellsInAllSizesThatAreAllowed) {
         Renderer renderer(snapshot->header, picture);
         const Image image = renderer.render(*snapshot, {});
         const Camera camera = renderer.camera(*snapshot, {});
-        EXPECT_GT(camera.px_per_um * shown_extent_um(*snapshot), 0.3 * 0.5 * 64)
+        EXPECT_GT(camera.px_per_um * shown_extent_um(*snapshot, renderer.picture()), 0.3 * 0.5 * 64)
             << size[0] << " x " << size[1];
         // Cells are most of the ink within their circle.
         int n_white = 0, n_all = 0;
-        const double radius = 0.5 * camera.px_per_um * shown_extent_um(*snapshot);
+        const double radius =
+            0.5 * camera.px_per_um * shown_extent_um(*snapshot, renderer.picture());
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x)
                 if (std::hypot(x - camera.centre_x_px, y - camera.centre_y_px) < radius) {
