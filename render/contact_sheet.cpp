@@ -172,10 +172,18 @@ void ContactSheet::Hidden::draw_view(const PulledApart& pair, bool shows_a, Imag
     camera.right =
         (pair.normal - pair.normal.dot(camera.towards_eye) * camera.towards_eye).normalized();
     camera.up = camera.towards_eye.cross(camera.right);
-    const double half_width_um =
+    // The same in all frames for two round cells of one size; more where one of them needs it.
+    double half_width_um =
         0.5 * k_apart * pair.radius_sum_um * std::sin(k_oblique_rad) + 0.56 * pair.radius_sum_um;
-    camera.px_per_um = std::min(0.5 * k_view_width / half_width_um,
-                                0.46 * k_view_height / (0.56 * pair.radius_sum_um));
+    double half_height_um = 0.56 * pair.radius_sum_um;
+    constexpr double margin = 1.03;
+    for (std::size_t i = 0; i < pair.cells.x_um.size() / 3; ++i) {
+        const Vec3 x_um = point(pair.cells.x_um, i);
+        half_width_um = std::max(half_width_um, margin * std::abs(x_um.dot(camera.right)));
+        half_height_um = std::max(half_height_um, margin * std::abs(x_um.dot(camera.up)));
+    }
+    camera.px_per_um =
+        std::min(0.5 * k_view_width / half_width_um, 0.46 * k_view_height / half_height_um);
     camera.centre_x_px = 0.5 * k_view_width;
     camera.centre_y_px = 0.5 * k_view_height;
     Camera drawn_camera = camera;
