@@ -128,9 +128,17 @@ PlotStripPainter::PlotStripPainter(const PlotStrip& strip, int width_px, int pic
     top_ = scale_ * k_top;
     bottom_ = background_.height - scale_ * k_bottom;
 
+    for (const PlotStrip::Curve& curve : strip.curves)
+        has_values_ = has_values_ || std::any_of(curve.value.begin(), curve.value.end(),
+                                                 [](double value) { return std::isfinite(value); });
     TextPainter text;
     draw_axes(text, values);
     draw_heading(text);
+    if (!has_values_)
+        text.draw(background_, 0.5 * (left_ + right_), 0.5 * (top_ + bottom_) + scale_ * 7.0,
+                  "undefined in all frames",
+                  {scale_ * k_text, k_soft_ink, FontStyle::normal, TextMode::plain},
+                  Anchor::middle);
     for (std::size_t k = 0; k < strip.curves.size(); ++k) {
         const PlotStrip::Curve& curve = strip.curves[k];
         for (std::size_t i = 1; i < curve.value.size(); ++i)
@@ -144,7 +152,7 @@ void PlotStripPainter::draw_axes(TextPainter& text, const Range& values) {
     const auto scaled = [this](double px) { return scale_ * px; };
     const TextPainter::Style style{scaled(k_text), k_ink, FontStyle::normal, TextMode::plain};
     const double thin = std::max(1.0, scaled(1.0));
-    const std::vector<double> value_ticks = ticks(values);
+    const std::vector<double> value_ticks = has_values_ ? ticks(values) : std::vector<double>{};
     for (const double value : value_ticks)
         left_ = std::max(left_, text.width(number_text(value), style) + scaled(18.0));
     // In a narrow strip the curve needs the room of the numbers.

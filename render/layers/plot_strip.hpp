@@ -54,6 +54,7 @@ class PlotStripPainter {
     PlotStrip strip_;
     Image background_;
     double scale_;
+    bool has_values_ = false;  ///< one at least is a number: else there is no axis of values
     double left_ = 0, right_ = 0, top_ = 0, bottom_ = 0;  // of the axes, px
     double time_low_ = 0, time_high_ = 1, value_low_ = 0, value_high_ = 1;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 
 namespace spheroscope::render {
@@ -47,6 +48,25 @@ TEST(PlotStrip, IsUprightBelowPicturesOfEverySize) {
 TEST(PlotStrip, IsAQuarterOfALargePicture) {
     EXPECT_EQ(PlotStripPainter::height_px(720), 180);
     EXPECT_EQ(PlotStripPainter::height_px(2160), 540);
+}
+
+TEST(PlotStrip, OfNothingButUndefinedValuesSaysSoAndInventsNoAxis) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    PlotStrip strip = rising_curves();
+    const auto ink = [&](double x0, double x1, double y0, double y1) {
+        const Image image = PlotStripPainter(strip, 640, 360).draw(std::array{187.5, 187.5});
+        int n = 0;
+        for (int y = static_cast<int>(y0 * image.height); y < y1 * image.height; ++y)
+            for (int x = static_cast<int>(x0 * image.width); x < x1 * image.width; ++x)
+                n += image.at(x, y) == Rgb{255, 255, 255} ? 0 : 1;
+        return n;
+    };
+    EXPECT_GT(ink(0.0, 0.07, 0.2, 0.75), 50) << "numbers at the left";
+    strip.curves.resize(1);
+    strip.curves[0].value = {nan, nan, nan};
+    EXPECT_EQ(ink(0.0, 0.07, 0.2, 0.75), 0) << "no numbers";
+    EXPECT_EQ(ink(0.12, 0.3, 0.24, 0.75), 0) << "no lines of a grid";
+    EXPECT_GT(ink(0.35, 0.75, 0.35, 0.65), 100) << "the words";
 }
 
 TEST(PlotStrip, WritesUnitsAsPicturesDo) {
