@@ -18,6 +18,15 @@ constexpr std::array<int, 5> k_markers{vtkPlotPoints::CIRCLE, vtkPlotPoints::SQU
                                        vtkPlotPoints::DIAMOND, vtkPlotPoints::CROSS,
                                        vtkPlotPoints::PLUS};
 
+int vtk_line_type(reports::Plot::Line line) {
+    switch (line) {
+    case reports::Plot::Line::full: return vtkPen::SOLID_LINE;
+    case reports::Plot::Line::dashed: return vtkPen::DASH_LINE;
+    case reports::Plot::Line::none: break;
+    }
+    return vtkPen::NO_PEN;
+}
+
 /// Ends of the axis for what is beyond them.
 double along(const AxisRange& range, double value, int low_px, int high_px) {
     const bool is_below = range.is_logarithmic && value <= 0.0;
@@ -69,28 +78,38 @@ PlotArea area_of(const reports::Plot::Panel& panel, vtkChartXY* chart) {
 PlotStyles::PlotStyles(const reports::Plot& plot) {
     for (const reports::Plot::Panel& panel : plot.panels)
         for (const reports::Plot::Series& series : panel.series)
-            if (series.colour_of.empty() && numbers_.emplace(series.name, numbers_.size()).second)
+            if (series.colour_of.empty() &&
+                looks_.emplace(series.name, Look{looks_.size(), series.line, series.has_marks})
+                    .second)
                 names_.push_back(series.name);
 }
 
 Rgb PlotStyles::colour(const std::string& name) const {
-    return k_distinct_colours[numbers_.at(name) % k_distinct_colours.size()];
+    return k_distinct_colours[looks_.at(name).number % k_distinct_colours.size()];
 }
 
 Rgb PlotStyles::colour(const reports::Plot::Series& series) const {
     return colour(series.colour_of.empty() ? series.name : series.colour_of);
 }
 
+int PlotStyles::line_type(const std::string& name) const {
+    return vtk_line_type(looks_.at(name).line);
+}
+
+int PlotStyles::marker(const std::string& name) const {
+    const Look& look = looks_.at(name);
+    return look.has_marks || look.number >= k_distinct_colours.size()
+               ? k_markers[look.number % k_markers.size()]
+               : static_cast<int>(vtkPlotPoints::NONE);
+}
+
 void PlotStyles::apply(const reports::Plot::Series& series, vtkPlotLine* line) const {
     const Rgb c = colour(series);
     line->SetColor(c.r, c.g, c.b, 255);
     line->SetWidth(2.0F);
-    line->GetPen()->SetLineType(series.line == reports::Plot::Line::full     ? vtkPen::SOLID_LINE
-                                : series.line == reports::Plot::Line::dashed ? vtkPen::DASH_LINE
-                                                                             : vtkPen::NO_PEN);
-    line->SetMarkerStyle(series.has_marks && series.colour_of.empty()
-                             ? k_markers[numbers_.at(series.name) % k_markers.size()]
-                             : static_cast<int>(vtkPlotPoints::NONE));
+    line->GetPen()->SetLineType(vtk_line_type(series.line));
+    line->SetMarkerStyle(series.colour_of.empty() ? marker(series.name)
+                                                  : static_cast<int>(vtkPlotPoints::NONE));
     line->SetMarkerSize(9.0F);
     line->SetLabel(series.name);
     line->SetLegendVisibility(series.colour_of.empty());

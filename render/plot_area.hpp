@@ -31,7 +31,7 @@ struct PlotArea {
 /// The axes that hold all of a panel, set on its chart.
 PlotArea area_of(const reports::Plot::Panel& panel, vtkChartXY* chart);
 
-/// The colour and marker of a name, the same in all panels.
+/// The colour and mark of a name, the same in all panels.
 class PlotStyles {
   public:
     explicit PlotStyles(const reports::Plot& plot);
@@ -40,9 +40,18 @@ class PlotStyles {
     [[nodiscard]] Rgb colour(const std::string& name) const;
     [[nodiscard]] Rgb colour(const reports::Plot::Series& series) const;
     void apply(const reports::Plot::Series& series, vtkPlotLine* line) const;
+    /// How the line and the marks of a name look, in VTK's numbers; NONE where it has no marks.
+    /// Names beyond the number of colours have marks always: without them two would look alike.
+    [[nodiscard]] int line_type(const std::string& name) const;
+    [[nodiscard]] int marker(const std::string& name) const;
 
   private:
-    std::map<std::string, std::size_t> numbers_;
+    struct Look {
+        std::size_t number;  ///< of the name: its colour, and its mark
+        reports::Plot::Line line;
+        bool has_marks;
+    };
+    std::map<std::string, Look> looks_;  // by name, of its first series
     std::vector<std::string> names_;
 };
 

@@ -6,8 +6,11 @@
 #include <vtkChartLegend.h>
 #include <vtkChartXY.h>
 #include <vtkContext2D.h>
+#include <vtkPen.h>
+#include <vtkPlotPoints.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,6 +25,22 @@ struct LegendPlace {
     vtkChartXY* chart = nullptr;
     int horizontal = vtkChartLegend::RIGHT, vertical = vtkChartLegend::TOP;
 };
+
+/// The line and the mark of a name, as the panels have them.
+void paint_swatch(vtkContext2D& painter, const PlotStyles& styles, const std::string& name,
+                  double x, double middle) {
+    const Rgb colour = styles.colour(name);
+    const auto x0 = static_cast<float>(x), y = static_cast<float>(middle);
+    use_pen(painter, colour, 2.5F);
+    painter.GetPen()->SetLineType(styles.line_type(name));
+    painter.DrawLine(x0, y, x0 + 24.0F, y);
+    const int marker = styles.marker(name);
+    if (marker == vtkPlotPoints::NONE) return;
+    use_brush(painter, colour);
+    use_pen(painter, colour, 10.0F);  // its width is the size of marks
+    std::array<float, 2> place{x0 + 12.0F, y};
+    painter.DrawMarkers(marker, false, place.data(), 1);
+}
 
 /// How much a legend of that size hides in a panel: points count, and lines between them a little.
 double hidden_by(const LegendPlace& place, const reports::Plot::Panel& panel, const PlotArea& area,
@@ -110,8 +129,7 @@ void LegendRows::paint(vtkContext2D& painter, const PlotStyles& styles, int widt
         const auto column = static_cast<int>(i) % n_columns, row = static_cast<int>(i) / n_columns;
         const double x = k_plot_side_px + column * column_px;
         const double middle = y_px - (row + 0.5) * k_legend_row_px;
-        use_brush(painter, styles.colour(styles.names()[i]));
-        fill(painter, x, middle - 5.0, x + 22.0, middle + 5.0);
+        paint_swatch(painter, styles, styles.names()[i], x, middle);
         write(painter, x + k_swatch_px, middle, texts[i], k_legend_size, k_plot_ink, false);
     }
 }

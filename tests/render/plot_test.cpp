@@ -182,6 +182,39 @@ TEST(Plot, ItsLegendAboveIsAsWideAsItsNames) {
     EXPECT_EQ(n_ink, 0) << "nothing is cut off at the edge";
 }
 
+TEST(Plot, ItsLegendTellsMoreNamesApartThanThereAreColours) {
+    reports::Plot plot;
+    plot.title = "Figure";
+    plot.legend_above = true;
+    reports::Plot::Panel panel{"a", "x", "y"};
+    constexpr int n_names = 2 * static_cast<int>(k_distinct_colours.size());
+    for (int i = 0; i < n_names; ++i) {
+        panel.series.push_back({"Name " + std::to_string(i) + ".", {1, 2}, {1, 2}});
+        panel.series.back().has_marks = false;
+    }
+    plot.panels = {panel};
+    const TemporaryFolder folder;
+    const auto png = folder.path() / "plot.png", svg = folder.path() / "plot.svg";
+    draw_plot(plot, png, svg);
+    const Image image = read_png(png).image;
+    const auto swatch = [&](int i) {  // what stands before the name
+        const auto places = places_of(svg, "Name " + std::to_string(i) + "\\.");
+        EXPECT_EQ(places.size(), 1U);
+        std::vector<int> pixels;
+        for (int y = -12; y <= 12; ++y)
+            for (int x = -32; x < -4; ++x) {
+                const Rgb c = image.at(static_cast<int>(places[0][0]) + x,
+                                       static_cast<int>(places[0][1]) + y);
+                pixels.push_back((c.r << 16) | (c.g << 8) | c.b);
+            }
+        return pixels;
+    };
+    std::vector<std::vector<int>> all;
+    for (int i = 0; i < n_names; ++i) all.push_back(swatch(i));
+    std::sort(all.begin(), all.end());
+    EXPECT_EQ(std::adjacent_find(all.begin(), all.end()), all.end());
+}
+
 TEST(Plot, ItsLegendStandsWhereItHidesNoPoint) {
     // Points all along the upper half, where the legend would be, of a colour of their own.
     reports::Plot plot = two_panels();
