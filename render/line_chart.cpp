@@ -1,6 +1,7 @@
 #include "render/line_chart.hpp"
 
 #include "render/canvas.hpp"
+#include "render/range.hpp"
 #include "render/strokes.hpp"
 
 #include <fmt/format.h>
@@ -44,9 +45,10 @@ double tick_step(double span, int n) {
 std::string tick_label(double value, double step) {
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
     const double shown = std::abs(value) < 1e-9 * step ? 0.0 : value;
-    const std::string digits = decimals > 5 || std::abs(shown) >= 1e6
-                                   ? fmt::format("{:.3g}", std::abs(shown))
-                                   : fmt::format("{:.{}f}", std::abs(shown), decimals);
+    const std::string digits =
+        decimals > 5 || std::abs(shown) >= 1e6
+            ? fmt::format("{:.{}g}", std::abs(shown), digits_for(shown, step, 3))
+            : fmt::format("{:.{}f}", std::abs(shown), decimals);
     return (shown < 0.0 ? "\u2212" : "") + digits;
 }
 

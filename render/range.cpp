@@ -97,6 +97,12 @@ double nice_step(double x) {
     return (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0) * decade;
 }
 
+int digits_for(double value, double step, int fewest) {
+    if (value == 0.0) return fewest;
+    const auto power = [](double x) { return static_cast<int>(std::floor(std::log10(x) + 1e-9)); };
+    return std::max(fewest, 1 + power(std::abs(value)) - power(step));
+}
+
 std::vector<double> ticks(const Range& range) {
     // The smallest round step that leaves at most four intervals inside the range.
     double step = nice_step((range.high - range.low) / 4.0);

@@ -52,6 +52,10 @@ class RangeFinder {
 /// ticks.
 [[nodiscard]] double nice_step(double x);
 
+/// Digits with which values of that size are told apart that lie `step` from each other, at least
+/// `fewest`.
+[[nodiscard]] int digits_for(double value, double step, int fewest);
+
 /// Positions of 3 to 7 round tick values inside a range, ascending.
 [[nodiscard]] std::vector<double> ticks(const Range& range);
 

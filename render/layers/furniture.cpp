@@ -57,9 +57,10 @@ double column_height(const FurnitureLayout& layout, const FurnitureParts& parts,
 /// A value as a tick label: no more digits than it needs, a true minus sign.
 std::string tick_text(double value, double step) {
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
-    const std::string digits = std::abs(value) >= 1e5 || decimals > 4
-                                   ? fmt::format("{:.2g}", std::abs(value))
-                                   : fmt::format("{:.{}f}", std::abs(value), decimals);
+    const std::string digits =
+        std::abs(value) >= 1e5 || decimals > 4
+            ? fmt::format("{:.{}g}", std::abs(value), digits_for(value, step, 2))
+            : fmt::format("{:.{}f}", std::abs(value), decimals);
     return (value < 0.0 ? "\u2212" : "") + digits;
 }
 
@@ -86,7 +87,9 @@ std::vector<TickLabel> tick_labels(const Range& range, double height, double apa
         const bool is_end = value == range.low || value == range.high;
         const double away_px = std::min(value - range.low, range.high - value) * px_per_value;
         if (is_end || away_px >= apart_px)
-            labels.push_back({value, minus_sign(fmt::format("{:.4g}", value))});
+            labels.push_back(
+                {value, minus_sign(fmt::format("{:.{}g}", value,
+                                               digits_for(value, range.high - range.low, 4)))});
     }
     return labels;
 }

@@ -133,5 +133,19 @@ TEST(ColourBar, HasTwoLabelsOrMoreWhateverItsRange) {
     }
 }
 
+TEST(ColourBar, HasLabelsThatDifferHoweverNarrowItsRange) {
+    for (const Range range : {Range{100.0, 100.0001}, Range{-2e-7, 2e-7}, Range{3e6, 3.0001e6}})
+        for (const int height : {360, 720}) {
+            std::vector<std::string> labels;
+            for (const DrawnBox& box : drawn_in(640, height, range))
+                if (box.what.find_first_not_of("0123456789.e+-\u2212") == std::string::npos)
+                    labels.push_back(box.what);
+            ASSERT_GE(labels.size(), 2U);
+            std::sort(labels.begin(), labels.end());
+            EXPECT_EQ(std::adjacent_find(labels.begin(), labels.end()), labels.end())
+                << labels.front() << " stands twice from " << range.low;
+        }
+}
+
 }  // namespace
 }  // namespace spheroscope::render
