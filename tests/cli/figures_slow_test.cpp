@@ -115,7 +115,7 @@ TEST_F(Figures, OfAGridOfRunsAreAllDrawnWithTheirNumbers) {
     }
     EXPECT_EQ(document["setups"].size(), 4U);
     EXPECT_EQ(document["left_out"].size(), 0U);
-    EXPECT_NE(document.dump().find("1 seeds, others have 2"), std::string::npos);
+    EXPECT_NE(document.dump().find("1 seed, others have 2"), std::string::npos);
     const std::string map = text_of("figures/fig7.csv");
     EXPECT_NE(map.find("broad grid: 4 of 30 points have runs"), std::string::npos) << map;
 
