@@ -289,13 +289,14 @@ reports::Plot plot_of(const reports::MeshLadder& ladder, int own_nodes, const st
                                    .has_marks = false};
         for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
             const double error = std::abs(result.values[k] / result.extrapolation.limit - 1.0);
-            const double nodes = ladder.levels[k].nodes;
+            const auto place = static_cast<double>(k);  // edges are halved from level to level
+            panel.x_axis.categories.push_back(std::to_string(ladder.levels[k].nodes));
             if (std::isfinite(error) && error > 0.0) {
-                mesh.x.push_back(nodes);
+                mesh.x.push_back(place);
                 mesh.y.push_back(error);
             }
             if (std::isfinite(result.time_error) && result.time_error > 0.0) {
-                time.x.push_back(nodes);
+                time.x.push_back(place);
                 time.y.push_back(result.time_error);
             }
         }
