@@ -3,6 +3,7 @@
 #include "render/plot.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/base/xml_text.hpp"
 #include "render/osmesa_context.hpp"
 #include "render/plot_area.hpp"
 #include "render/plot_axes.hpp"
@@ -138,16 +139,7 @@ std::string with_escaped_texts(std::string_view svg) {
         const std::size_t after = words == svg.npos ? svg.npos : svg.find(end, words);
         if (tag == svg.npos || after == svg.npos) return result.append(svg);
         result.append(svg.substr(0, words + 1));
-        for (const char c : svg.substr(words + 1, after - words - 1)) {
-            if (c == '&')
-                result += "&amp;";
-            else if (c == '<')
-                result += "&lt;";
-            else if (c == '>')
-                result += "&gt;";
-            else
-                result += c;
-        }
+        result += escape_xml(svg.substr(words + 1, after - words - 1));
         result.append(end);
         svg.remove_prefix(after + end.size());
     }

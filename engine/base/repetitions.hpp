@@ -11,8 +11,8 @@ namespace spheroscope {
 ///     for (Repetitions::Count count(repetitions); count.goes_on();) ...
 struct Repetitions {
     int most = 5;  ///< at least 1
-    double longest_s =
-        2.0;  ///< no new repetition after so much wall time; the first is always made
+    /// No new repetition after so much wall time; the first is always made.
+    double longest_s = 2.0;
     const std::atomic<bool>* stop = nullptr;  ///< no new repetition once it is true
 
     class Count {

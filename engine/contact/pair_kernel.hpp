@@ -42,8 +42,8 @@ template <class T> struct KernelWorkspace {
 };
 
 /// Appends the active pairs of two cells to `pairs`, ascending by (triangle_a, triangle_b).
-/// boxes [cells]: around the nodes of each. reach_um: largest distance of two surfaces that make a contact. Runs on the SIMD target that is
-/// in use (simd_target.hpp).
+/// boxes [cells]: around the nodes of each. reach_um: largest distance of two surfaces that make a
+/// contact. Runs on the SIMD target that is in use (simd_target.hpp).
 [[nodiscard]] KernelCounts find_pairs_of_cells(const PackedTriangles<float>& triangles,
                                                const std::vector<NodeBox>& boxes, int cell_a,
                                                int cell_b, const ContactLaw& law, double reach_um,

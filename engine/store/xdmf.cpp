@@ -1,5 +1,6 @@
 #include "engine/store/xdmf.hpp"
 
+#include "engine/base/xml_text.hpp"
 #include "engine/store/atomic_file.hpp"
 #include "engine/store/run_file.hpp"
 #include "engine/store/run_format.hpp"
@@ -13,23 +14,6 @@
 
 namespace spheroscope {
 namespace {
-
-std::string escape_xml(std::string_view text) {
-    std::string escaped;
-    for (const char c : text) {
-        if (c == '&')
-            escaped += "&amp;";
-        else if (c == '<')
-            escaped += "&lt;";
-        else if (c == '>')
-            escaped += "&gt;";
-        else if (c == '"')
-            escaped += "&quot;";
-        else
-            escaped += c;
-    }
-    return escaped;
-}
 
 /// `kind`: XDMF's number type and precision; `size`: "1280 3".
 std::string data_item(std::string_view kind, const std::string& size, const std::string& file,
