@@ -48,6 +48,8 @@ TEST_F(InspectStep, AddsUpToTheForceOnTheNode) {
     EXPECT_LT(solve["relative_residual"].back().get<double>(), 1e-2);
 
     const std::string text = call({"inspect", "o/run.h5", "--step", "--quiet"}).out;
+    EXPECT_NE(text.find("estimated error not known"), std::string::npos)
+        << "the step before is not in the file: 0 um would be no estimate";
     for (const char* words :
          {"a step of linearly_implicit", "after_nN", "|F - A v| / |F|", "the step is good: dt = "})
         EXPECT_NE(text.find(words), std::string::npos) << text;
