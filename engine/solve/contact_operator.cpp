@@ -31,18 +31,19 @@ Sums square_of(const Vec3& n) {
 
 /// Memory of a member that builds one group after another.
 struct Scratch {
-    std::vector<int> local_a, local_b;                  // node of the cell -> local array, or -1
+    std::vector<int> local_a, local_b;            // node of the cell -> place among those, or -1
+    std::vector<std::uint16_t> nodes_a, nodes_b;  // that take part
     std::vector<std::array<std::uint16_t, 6>> corners;  // [pairs of triangles], B's from 0
     std::vector<std::uint64_t> marks;       // [nodes_a] rows of bits, one for each of B's
     std::vector<int> entry;                 // [nodes_a x nodes_b]: pair of nodes
     std::vector<Sums> friction, stiffness;  // [pairs of nodes]
 };
 
-std::uint16_t local_index(int node, std::vector<int>& map, std::vector<int>& nodes) {
+std::uint16_t local_index(int node, std::vector<int>& map, std::vector<std::uint16_t>& nodes) {
     int& position = map[idx(node)];
     if (position < 0) {
         position = static_cast<int>(nodes.size());
-        nodes.push_back(node);
+        nodes.push_back(static_cast<std::uint16_t>(node));
     }
     return static_cast<std::uint16_t>(position);
 }
@@ -55,23 +56,59 @@ void ContactOperator::build(const Model& model, const Contacts& contacts,
     friction_ = friction;
     stiffness_kPa_s_per_um_ = stiffness_kPa_s_per_um;
     n_groups_ = contacts.groups.size();
-    if (groups_.size() < n_groups_) groups_.resize(n_groups_);
+    groups_.resize(n_groups_);
     arenas_.resize(idx(workers.size()));
     workers.region([&](Workers::Member& member) {
-        std::vector<NodePair>& arena = arenas_[idx(member.index())];
-        arena.clear();
+        Arena& arena = arenas_[idx(member.index())];
+        arena.pairs.clear();
+        arena.normal.clear();
+        arena.row_begin.clear();
+        arena.nodes.clear();
         const Workers::Member::Range share = member.share(n_groups());
         for (int g = share.begin; g < share.end; ++g) {
             Group& group = groups_[idx(g)];
             group.arena = idx(member.index());
-            group.first = arena.size();
             build_group(model, contacts.groups[idx(g)], group, arena);
         }
     });
+    lay_out_slots(contacts, model.n_cells());
+}
+
+void ContactOperator::lay_out_slots(const Contacts& contacts, int n_cells) {
+    first_slot_.clear();
+    slot_node_.clear();
+    for (int cell = 0; cell < n_cells; ++cell) {
+        first_slot_.push_back(slot_node_.size());
+        for (const Contacts::Side& side : contacts.sides_of(cell)) {
+            Group& group = groups_[idx(side.group)];
+            (side.is_a ? group.slot_a : group.slot_b) = slot_node_.size();
+            const auto nodes =
+                arenas_[group.arena].nodes.begin() + static_cast<std::ptrdiff_t>(group.first_node);
+            const auto first_of_b = nodes + static_cast<std::ptrdiff_t>(group.n_a);
+            if (side.is_a)
+                slot_node_.insert(slot_node_.end(), nodes, first_of_b);
+            else
+                slot_node_.insert(slot_node_.end(), first_of_b,
+                                  first_of_b + static_cast<std::ptrdiff_t>(group.n_b));
+        }
+    }
+    first_slot_.push_back(slot_node_.size());
+    left_in_double_.resize(slot_node_.size());
+    left_in_single_.resize(slot_node_.size());
+}
+
+ContactOperator::View ContactOperator::view(const Group& group) const {
+    const Arena& arena = arenas_[group.arena];
+    return {group.n_a,
+            arena.pairs.data() + group.first_pair,
+            arena.normal.empty() ? nullptr : arena.normal.data() + group.first_pair,
+            arena.row_begin.data() + group.first_row,
+            slot_node_.data() + group.slot_a,
+            slot_node_.data() + group.slot_b};
 }
 
 void ContactOperator::build_group(const Model& model, const Contacts::Group& source, Group& group,
-                                  std::vector<NodePair>& arena) const {
+                                  Arena& arena) const {
     thread_local Scratch scratch;
     const MeshTopology& mesh = *model.topology;
     const std::span<const ContactPair> pairs = Contacts::pairs_of(source);
@@ -79,19 +116,26 @@ void ContactOperator::build_group(const Model& model, const Contacts::Group& sou
     // Which nodes take part.
     group.cell_a = source.cell_a;
     group.cell_b = source.cell_b;
-    group.nodes_a.clear();
-    group.nodes_b.clear();
+    scratch.nodes_a.clear();
+    scratch.nodes_b.clear();
     scratch.local_a.assign(idx(mesh.n_nodes()), -1);
     scratch.local_b.assign(idx(mesh.n_nodes()), -1);
     scratch.corners.resize(pairs.size());
     for (std::size_t p = 0; p < pairs.size(); ++p)
         for (std::size_t i = 0; i < 3; ++i) {
             scratch.corners[p][i] = local_index(mesh.triangles[idx(pairs[p].triangle_a)][i],
-                                                scratch.local_a, group.nodes_a);
+                                                scratch.local_a, scratch.nodes_a);
             scratch.corners[p][3 + i] = local_index(mesh.triangles[idx(pairs[p].triangle_b)][i],
-                                                    scratch.local_b, group.nodes_b);
+                                                    scratch.local_b, scratch.nodes_b);
         }
-    const std::size_t n_a = group.nodes_a.size(), n_b = group.nodes_b.size();
+    const std::size_t n_a = scratch.nodes_a.size(), n_b = scratch.nodes_b.size();
+    group.n_a = n_a;
+    group.n_b = n_b;
+    group.first_pair = arena.pairs.size();
+    group.first_row = arena.row_begin.size();
+    group.first_node = arena.nodes.size();
+    arena.nodes.insert(arena.nodes.end(), scratch.nodes_a.begin(), scratch.nodes_a.end());
+    arena.nodes.insert(arena.nodes.end(), scratch.nodes_b.begin(), scratch.nodes_b.end());
 
     // Which of them are connected: a bit for each, then row by row the numbers of the pairs. Only
     // what has a number is read from `entry`.
@@ -102,19 +146,21 @@ void ContactOperator::build_group(const Model& model, const Contacts::Group& sou
             for (std::size_t k = 3; k < 6; ++k)
                 scratch.marks[c[i] * n_words + c[k] / 64] |= std::uint64_t{1} << (c[k] % 64);
     if (scratch.entry.size() < n_a * n_b) scratch.entry.resize(n_a * n_b);
-    group.row_begin.resize(n_a + 1);
+    const auto n_pairs_so_far = [&] {
+        return static_cast<int>(arena.pairs.size() - group.first_pair);
+    };
     for (std::size_t a = 0; a < n_a; ++a) {
-        group.row_begin[a] = static_cast<int>(arena.size() - group.first);
+        arena.row_begin.push_back(n_pairs_so_far());
         for (std::size_t word = 0; word < n_words; ++word)
             for (std::uint64_t bits = scratch.marks[a * n_words + word]; bits != 0;
                  bits &= bits - 1) {
                 const std::size_t b = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
-                scratch.entry[a * n_b + b] = static_cast<int>(arena.size() - group.first);
-                arena.push_back({{}, 0.0F, static_cast<std::uint16_t>(n_a + b)});
+                scratch.entry[a * n_b + b] = n_pairs_so_far();
+                arena.pairs.push_back({{}, 0.0F, static_cast<std::uint16_t>(n_a + b)});
             }
     }
-    const std::size_t n_entries = arena.size() - group.first;
-    group.row_begin[n_a] = static_cast<int>(n_entries);
+    arena.row_begin.push_back(n_pairs_so_far());
+    const std::size_t n_entries = arena.pairs.size() - group.first_pair;
 
     const double tangential = friction_ ? friction_->tangential_kPa_s_per_um : 0.0;
     const double rest = friction_ ? friction_->normal_kPa_s_per_um - tangential : 0.0;
@@ -148,52 +194,48 @@ void ContactOperator::build_group(const Model& model, const Contacts::Group& sou
         }
     }
 
-    group.normal.resize(rest != 0.0 ? n_entries : 0);
     for (std::size_t e = 0; e < n_entries; ++e) {
-        arena[group.first + e].friction =
-            static_cast<float>(tangential) * scratch.friction[e].weight();
+        NodePair& pair = arena.pairs[group.first_pair + e];
+        pair.friction = static_cast<float>(tangential) * scratch.friction[e].weight();
+        SymmetricBlock3 normal{};
         if (rest != 0.0) {
-            group.normal[e].entry = scratch.friction[e].square();
-            for (float& entry : group.normal[e].entry) entry *= static_cast<float>(rest);
+            normal.entry = scratch.friction[e].square();
+            for (float& entry : normal.entry) entry *= static_cast<float>(rest);
+            arena.normal.push_back(normal);
         }
         if (!is_stiff) continue;
-        std::array<float, 6>& combined = arena[group.first + e].combined.entry;
+        std::array<float, 6>& combined = pair.combined.entry;
         combined = scratch.stiffness[e].square();
         for (std::size_t m = 0; m < 6; ++m) {
             combined[m] *= static_cast<float>(stiffness_kPa_s_per_um_);
-            if (rest != 0.0) combined[m] += group.normal[e].entry[m];
-            if (m < 3) combined[m] += arena[group.first + e].friction;
+            if (rest != 0.0) combined[m] += normal.entry[m];
+            if (m < 3) combined[m] += pair.friction;
         }
     }
-    const std::size_t n = n_a + n_b;
-    group.in_double.u.resize(n);
-    group.in_double.y.resize(n);
-    group.in_single.u.resize(n);
-    group.in_single.y.resize(n);
 }
 
 template <class Vector> void ContactOperator::product_of_group(int g, const Model& model, Part part,
                                                                std::span<const Vector> u_all) {
     using Scalar = typename VectorTraits<Vector>::Scalar;
-    Group& group = groups_[idx(g)];
-    Local<Vector>& local = group.local<Vector>();
+    thread_local std::vector<Vector> values, results;  // A's nodes, then B's
+    const Group& group = groups_[idx(g)];
+    const View at = view(group);
+    const std::size_t n_a = group.n_a, n = group.n_a + group.n_b;
+    if (values.size() < n) values.resize(n);
+    results.assign(n, VectorTraits<Vector>::zero());
     const std::span<const Vector> u_a = model.cell_nodes(u_all, group.cell_a);
     const std::span<const Vector> u_b = model.cell_nodes(u_all, group.cell_b);
-    const std::size_t n_a = group.nodes_a.size();
-    for (std::size_t i = 0; i < n_a; ++i) local.u[i] = u_a[idx(group.nodes_a[i])];
-    for (std::size_t i = 0; i < group.nodes_b.size(); ++i)
-        local.u[n_a + i] = u_b[idx(group.nodes_b[i])];
-    std::fill(local.y.begin(), local.y.end(), VectorTraits<Vector>::zero());
-    const Vector* const u = local.u.data();
-    Vector* const y = local.y.data();
-    const NodePair* const pairs = pairs_of(group);
+    Vector* const u = values.data();
+    Vector* const y = results.data();
+    for (std::size_t i = 0; i < n_a; ++i) u[i] = u_a[at.nodes_a[i]];
+    for (std::size_t i = n_a; i < n; ++i) u[i] = u_b[at.nodes_b[i - n_a]];
     const auto for_each_pair = [&](const auto& force_of) {
         for (std::size_t a = 0; a < n_a; ++a) {
             const Vector at_a = u[a];
             Vector sum = VectorTraits<Vector>::zero();
-            const auto end = static_cast<std::size_t>(group.row_begin[a + 1]);
-            for (auto e = static_cast<std::size_t>(group.row_begin[a]); e < end; ++e) {
-                const std::uint16_t b = pairs[e].b;
+            const auto end = idx(at.row_begin[a + 1]);
+            for (auto e = idx(at.row_begin[a]); e < end; ++e) {
+                const std::uint16_t b = at.pairs[e].b;
                 const Vector force = force_of(e, Vector(at_a - u[b]));
                 sum += force;
                 y[b] -= force;
@@ -203,55 +245,50 @@ template <class Vector> void ContactOperator::product_of_group(int g, const Mode
     };
     if (part == Part::friction_and_stiffness && stiffness_kPa_s_per_um_ > 0.0) {
         for_each_pair(
-            [&](std::size_t e, const Vector& d) { return product(pairs[e].combined, d); });
-        return;
+            [&](std::size_t e, const Vector& d) { return product(at.pairs[e].combined, d); });
+    } else {
+        for_each_pair([&](std::size_t e, const Vector& d) -> Vector {
+            return static_cast<Scalar>(at.pairs[e].friction) * d;
+        });
+        if (at.normal != nullptr)
+            for_each_pair([&](std::size_t e, const Vector& d) { return product(at.normal[e], d); });
     }
-    for_each_pair([&](std::size_t e, const Vector& d) -> Vector {
-        return static_cast<Scalar>(pairs[e].friction) * d;
-    });
-    if (!group.normal.empty())
-        for_each_pair([&](std::size_t e, const Vector& d) { return product(group.normal[e], d); });
+    std::copy(y, y + n_a, left<Vector>(*this).data() + group.slot_a);
+    std::copy(y + n_a, y + n, left<Vector>(*this).data() + group.slot_b);
 }
 
-template <class Vector>
-void ContactOperator::add_to_cell(int cell, const Contacts& contacts, std::span<Vector> out) const {
-    for (const Contacts::Side& side : contacts.sides_of(cell)) {
-        const Group& group = groups_[idx(side.group)];
-        const std::vector<int>& nodes = side.is_a ? group.nodes_a : group.nodes_b;
-        const Vector* const y =
-            group.local<Vector>().y.data() + (side.is_a ? 0 : group.nodes_a.size());
-        for (std::size_t i = 0; i < nodes.size(); ++i) out[idx(nodes[i])] += y[i];
-    }
+template <class Vector> void ContactOperator::add_to_cell(int cell, std::span<Vector> out) const {
+    const std::vector<Vector>& left = ContactOperator::left<Vector>(*this);
+    for (std::size_t slot = first_slot_[idx(cell)]; slot < first_slot_[idx(cell) + 1]; ++slot)
+        out[slot_node_[slot]] += left[slot];
 }
 
 template void ContactOperator::product_of_group(int, const Model&, Part, std::span<const Vec3>);
 template void ContactOperator::product_of_group(int, const Model&, Part, std::span<const Lanes>);
-template void ContactOperator::add_to_cell(int, const Contacts&, std::span<Vec3>) const;
-template void ContactOperator::add_to_cell(int, const Contacts&, std::span<Lanes>) const;
+template void ContactOperator::add_to_cell(int, std::span<Vec3>) const;
+template void ContactOperator::add_to_cell(int, std::span<Lanes>) const;
 
 Mat3 ContactOperator::sum_of(int g) const {
-    const Group& group = groups_[idx(g)];
+    const View at = view(groups_[idx(g)]);
     Mat3 sum = Mat3::Zero();
-    for (int e = 0; e < group.row_begin.back(); ++e) sum += pairs_of(group)[idx(e)].combined.mat3();
+    for (int e = 0; e < at.row_begin[at.n_a]; ++e) sum += at.pairs[e].combined.mat3();
     return sum;
 }
 
 void ContactOperator::add_diagonal(int cell, const Contacts& contacts,
                                    std::span<Mat3> blocks) const {
     for (const Contacts::Side& side : contacts.sides_of(cell)) {
-        const Group& group = groups_[idx(side.group)];
-        const std::size_t n_a = group.nodes_a.size();
-        for (std::size_t a = 0; a < n_a; ++a)
-            for (int e = group.row_begin[a]; e < group.row_begin[a + 1]; ++e) {
-                const NodePair& pair = pairs_of(group)[idx(e)];
-                Mat3& block =
-                    blocks[idx(side.is_a ? group.nodes_a[a] : group.nodes_b[pair.b - n_a])];
+        const View at = view(groups_[idx(side.group)]);
+        for (std::size_t a = 0; a < at.n_a; ++a)
+            for (int e = at.row_begin[a]; e < at.row_begin[a + 1]; ++e) {
+                const NodePair& pair = at.pairs[e];
+                Mat3& block = blocks[side.is_a ? at.nodes_a[a] : at.nodes_b[pair.b - at.n_a]];
                 if (stiffness_kPa_s_per_um_ > 0.0) {
                     block += pair.combined.mat3();
                     continue;
                 }
                 block.diagonal().array() += static_cast<double>(pair.friction);
-                if (!group.normal.empty()) block += group.normal[idx(e)].mat3();
+                if (at.normal != nullptr) block += at.normal[e].mat3();
             }
     }
 }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace spheroscope {
@@ -21,11 +22,12 @@ namespace spheroscope {
 ///
 /// A product has two phases with a barrier between them. First every group (pair of cells) gathers
 /// the values of the nodes that it touches into a small local array, works through its pairs there,
-/// and leaves the result in another one; then every cell adds what its groups have left, in the
-/// order of the groups. Each pair is read once, nobody writes where another one does, and the sums
-/// have one order. Products exist in double precision (Vec3) and in single (Lanes); the sums are
-/// stored rounded to single precision (relative error 6e-8) and act on differences of nodes, so
-/// the matrix is symmetric and its friction blind to a common translation whatever the rounding.
+/// and leaves the result in a slot of either cell; then every cell adds what is in its slots, which
+/// lie side by side in the order of the groups. Each pair is read once, nobody writes where another
+/// one does, the sums have one order, and all long arrays are read from one end to the other.
+/// Products exist in double precision (Vec3) and in single (Lanes); the sums are stored rounded to
+/// single precision (relative error 6e-8) and act on differences of nodes, so the matrix is
+/// symmetric and its friction blind to a common translation whatever the rounding.
 class ContactOperator {
   public:
     /// friction: empty if the scene has none. stiffness_kPa_s_per_um: dt times k of the law; 0: no
@@ -43,8 +45,7 @@ class ContactOperator {
     template <class Vector>
     void product_of_group(int group, const Model& model, Part part, std::span<const Vector> u);
     /// Phase 2, for one cell: out [n_nodes of the cell] += what its groups have left.
-    template <class Vector>
-    void add_to_cell(int cell, const Contacts& contacts, std::span<Vector> out) const;
+    template <class Vector> void add_to_cell(int cell, std::span<Vector> out) const;
     /// What holds the two cells of a group together when they move as wholes: the sum over its
     /// pairs, friction and stiffness. Precondition: built with a stiffness.
     [[nodiscard]] Mat3 sum_of(int group) const;
@@ -57,47 +58,57 @@ class ContactOperator {
                                   double stiffness_kPa_s_per_um, CellMatrix& matrix);
 
   private:
-    template <class Vector> struct Local {
-        std::vector<Vector> u, y;  // A's nodes, then B's
-    };
     /// Node of A (the row it is in) with a node of B: one cache line holds two of them.
     struct NodePair {
         SymmetricBlock3 combined;  // friction and stiffness, if there is stiffness
         float friction;            // isotropic part, nN s/um
-        std::uint16_t b;           // local array, after A's nodes
+        std::uint16_t b;           // place among the group's nodes, after A's
+    };
+    /// The groups that a member builds, and later multiplies, one after the other.
+    struct Arena {
+        std::vector<NodePair> pairs;
+        std::vector<SymmetricBlock3> normal;  // [pairs] rest of the friction, if it has a direction
+        std::vector<int> row_begin;           // of each group [n_a + 1], into its pairs
+        std::vector<std::uint16_t> nodes;     // of each group [n_a + n_b]: A's, then B's
     };
     struct Group {
         int cell_a = 0, cell_b = 0;
-        std::vector<int> nodes_a, nodes_b;    // local array -> node of the cell
-        std::vector<int> row_begin;           // [nodes_a + 1] into the arrays below
-        std::size_t arena = 0, first = 0;     // its pairs are arenas_[arena][first ...]
-        std::vector<SymmetricBlock3> normal;  // [pairs] rest of the friction, if it has a direction
-        Local<Vec3> in_double;
-        Local<Lanes> in_single;
-        template <class Vector> auto& local() {
-            if constexpr (std::is_same_v<Vector, Lanes>)
-                return in_single;
-            else
-                return in_double;
-        }
-        template <class Vector> const auto& local() const {
-            return const_cast<Group*>(this)->local<Vector>();
-        }
+        std::size_t n_a = 0, n_b = 0;                               // nodes that take part
+        std::size_t arena = 0;                                      // where its arrays begin:
+        std::size_t first_pair = 0, first_row = 0, first_node = 0;  // there,
+        std::size_t slot_a = 0, slot_b = 0;                         // and among the slots
     };
-    /// Appends its pairs to `arena`.
+    /// The group's arrays, wherever they are.
+    struct View {
+        std::size_t n_a;
+        const NodePair* pairs;
+        const SymmetricBlock3* normal;  // null: no direction
+        const int* row_begin;
+        const std::uint16_t* nodes_a;
+        const std::uint16_t* nodes_b;
+    };
     void build_group(const Model& model, const Contacts::Group& source, Group& group,
-                     std::vector<NodePair>& arena) const;
-    [[nodiscard]] const NodePair* pairs_of(const Group& group) const {
-        return arenas_[group.arena].data() + group.first;
+                     Arena& arena) const;
+    /// Gives every cell a slot for each node of each of its groups.
+    void lay_out_slots(const Contacts& contacts, int n_cells);
+    [[nodiscard]] View view(const Group& group) const;
+    /// [slots] What the groups have left for the nodes of their cells.
+    template <class Vector, class Self> static auto& left(Self& self) {
+        if constexpr (std::is_same_v<Vector, Lanes>)
+            return self.left_in_single_;
+        else
+            return self.left_in_double_;
     }
 
     std::optional<ContactFriction> friction_;
     double stiffness_kPa_s_per_um_ = 0.0;  // 0: the pairs have no `combined`
     std::vector<Group> groups_;
-    std::size_t n_groups_ = 0;  // in use; the others keep their memory
-    // [members] The pairs of the groups that a member builds, and later multiplies, one after the
-    // other: a product takes the time of reading them, and one long array is read fastest.
-    std::vector<std::vector<NodePair>> arenas_;
+    std::size_t n_groups_ = 0;              // in use
+    std::vector<Arena> arenas_;             // [members]
+    std::vector<std::size_t> first_slot_;   // [cells + 1]
+    std::vector<std::uint16_t> slot_node_;  // [slots] node of the cell
+    std::vector<Vec3> left_in_double_;
+    std::vector<Lanes> left_in_single_;
 };
 
 }  // namespace spheroscope

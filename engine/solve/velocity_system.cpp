@@ -25,7 +25,7 @@ template <class Vector> void VelocitySystem::product_of_cell(int cell,
         for (std::size_t i = 0; i < u.size(); ++i)
             out[i] += strength * VectorTraits<Vector>::from(s[i]);
     }
-    if (!pairs.empty()) pairs.add_to_cell(cell, contacts, out);
+    if (!pairs.empty()) pairs.add_to_cell(cell, out);
 }
 
 template void VelocitySystem::product_of_cell(int, std::span<const Vec3>, std::span<Vec3>) const;
