@@ -5,10 +5,10 @@
 namespace spheroscope {
 namespace {
 
-template <class Vector> void add_laplacian(const MeshTopology& mesh, double edge_friction,
+template <class Vector> void add_laplacian(const MeshTopology& mesh, double edge_nN_s_per_um,
                                            std::span<const Vector> u, std::span<Vector> out) {
     using Scalar = typename VectorTraits<Vector>::Scalar;
-    const auto c = static_cast<Scalar>(edge_friction);
+    const auto c = static_cast<Scalar>(edge_nN_s_per_um);
     for (std::size_t i = 0; i < u.size(); ++i) {
         const auto begin = static_cast<std::size_t>(mesh.neighbour_begin[i]);
         const auto end = static_cast<std::size_t>(mesh.neighbour_begin[i + 1]);
@@ -25,14 +25,14 @@ double edge_friction_nN_s_per_um(double eta_kPa_s, double thickness_um) {
     return eta_kPa_s * thickness_um / std::sqrt(3.0);
 }
 
-void add_cortex_friction(const MeshTopology& mesh, double edge_friction, std::span<const Vec3> u,
+void add_cortex_friction(const MeshTopology& mesh, double edge_nN_s_per_um, std::span<const Vec3> u,
                          std::span<Vec3> out) {
-    add_laplacian(mesh, edge_friction, u, out);
+    add_laplacian(mesh, edge_nN_s_per_um, u, out);
 }
 
-void add_cortex_friction(const MeshTopology& mesh, double edge_friction, std::span<const Lanes> u,
-                         std::span<Lanes> out) {
-    add_laplacian(mesh, edge_friction, u, out);
+void add_cortex_friction(const MeshTopology& mesh, double edge_nN_s_per_um,
+                         std::span<const Lanes> u, std::span<Lanes> out) {
+    add_laplacian(mesh, edge_nN_s_per_um, u, out);
 }
 
 }  // namespace spheroscope

@@ -15,9 +15,9 @@ namespace spheroscope {
 
 /// out += c * Laplacian u of one cell's mesh; u, out [n_nodes]. The weight is the same on all
 /// edges, so all cells share this matrix, and it acts on x, y and z alike.
-void add_cortex_friction(const MeshTopology& mesh, double edge_friction, std::span<const Vec3> u,
+void add_cortex_friction(const MeshTopology& mesh, double edge_nN_s_per_um, std::span<const Vec3> u,
                          std::span<Vec3> out);
-void add_cortex_friction(const MeshTopology& mesh, double edge_friction, std::span<const Lanes> u,
-                         std::span<Lanes> out);
+void add_cortex_friction(const MeshTopology& mesh, double edge_nN_s_per_um,
+                         std::span<const Lanes> u, std::span<Lanes> out);
 
 }  // namespace spheroscope

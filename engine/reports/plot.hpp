@@ -14,8 +14,8 @@ struct Plot {
 
     struct Series {
         std::string name;  ///< of the legend; the same name has the same colour in all panels
-        std::vector<double> x, y;     ///< finite, and > 0 on a logarithmic axis
-        std::vector<double> error{};  ///< of y: half the length of its bar; NaN: none
+        std::vector<double> x{}, y{};  ///< finite, and > 0 on a logarithmic axis
+        std::vector<double> error{};   ///< of y: half the length of its bar; NaN: none
         Line line = Line::full;
         bool has_marks = true;
         std::string colour_of{};  ///< another series' name; it then has no entry in the legend

@@ -14,16 +14,16 @@ template <class Vector>
 void CellwiseInverse<Vector>::prepare(const VelocitySystem& system, Workers& workers) {
     model_ = &system.model;
     allocate(system);
-    const bool has_volume = !system.volume_coefficient.empty();
+    const bool has_volume = !system.volume_kPa_s_per_um3.empty();
     denominator_.assign(system.model.radius_um.size(), Scalar{});
     if (has_volume) inverse_times_gradient_.resize(system.model.n_all_nodes());
     workers.loop(system.model.n_cells(), [&](int cell) {
         prepare_cell(system, cell);
         if (!has_volume) return;
-        const double coefficient = system.volume_coefficient[idx(cell)];
+        const double coefficient = system.volume_kPa_s_per_um3[idx(cell)];
         if (coefficient == 0.0) return;
         thread_local std::vector<Vector> gradient;
-        const std::span<const Vec3> s = system.model.cell_nodes(system.volume_gradient, cell);
+        const std::span<const Vec3> s = system.model.cell_nodes(system.volume_gradient_um2, cell);
         gradient.resize(s.size());
         std::transform(s.begin(), s.end(), gradient.begin(),
                        [](const Vec3& v) { return VectorTraits<Vector>::from(v); });
@@ -61,7 +61,7 @@ void BlockJacobi::allocate(const VelocitySystem& system) {
 }
 
 void BlockJacobi::prepare_cell(const VelocitySystem& system, int cell) {
-    const std::span<const double> drag = system.model.cell_nodes(system.drag, cell);
+    const std::span<const double> drag = system.model.cell_nodes(system.drag_nN_s_per_um, cell);
     const std::span<const Vec3> x = system.model.cell_nodes(system.x_um, cell);
     thread_local std::vector<Mat3> blocks;
     blocks.resize(drag.size());
@@ -95,9 +95,10 @@ void BlockJacobi::prepare_cell(const VelocitySystem& system, int cell) {
 
 void BlockJacobi::prepare_coupling(const VelocitySystem& system, Workers& workers) {
     const double n_cells = static_cast<double>(trace_.size());
-    const double cortex = 6.0 * system.edge_friction *
+    const double cortex = 6.0 * system.edge_nN_s_per_um *
                           static_cast<double>(system.model.topology->edges.size()) * n_cells;
-    const double drag = 3.0 * std::accumulate(system.drag.begin(), system.drag.end(), 0.0);
+    const double drag =
+        3.0 * std::accumulate(system.drag_nN_s_per_um.begin(), system.drag_nN_s_per_um.end(), 0.0);
     const double trace = std::accumulate(trace_.begin(), trace_.end(), 0.0);
     if (trace >= stiff_ * (drag + cortex))
         motions_.prepare(system, middle_um_, resistance_, workers);
@@ -123,7 +124,8 @@ template <class Vector> void CortexInverse<Vector>::allocate(const VelocitySyste
         const auto [it, is_new] = known.try_emplace(model.radius_um[idx(cell)], factors_.size());
         if (is_new)
             factors_.push_back(std::make_unique<CortexFactor>(
-                *model.topology, model.cell_nodes(system.drag, cell), system.edge_friction));
+                *model.topology, model.cell_nodes(system.drag_nN_s_per_um, cell),
+                system.edge_nN_s_per_um));
         factor_of_cell_.push_back(it->second);
     }
 }
@@ -138,7 +140,7 @@ template <class Vector> void CortexInverse<Vector>::apply_base(int cell, std::sp
 template <class Vector> void DragInverse<Vector>::apply_base(int cell, std::span<const Vector> r,
                                                              std::span<Vector> z) const {
     using Number = typename VectorTraits<Vector>::Scalar;
-    const std::span<const double> drag = model_->cell_nodes(drag_, cell);
+    const std::span<const double> drag = model_->cell_nodes(drag_nN_s_per_um_, cell);
     for (std::size_t i = 0; i < r.size(); ++i) z[i] = static_cast<Number>(1.0 / drag[i]) * r[i];
 }
 

@@ -96,7 +96,7 @@ template <class Vector> class CortexInverse final : public CellwiseInverse<Vecto
 template <class Vector> class DragInverse final : public CellwiseInverse<Vector> {
   protected:
     void allocate(const VelocitySystem& system) override {
-        drag_ = system.drag;
+        drag_nN_s_per_um_ = system.drag_nN_s_per_um;
         model_ = &system.model;
     }
     void prepare_cell(const VelocitySystem&, int) override {}
@@ -104,7 +104,7 @@ template <class Vector> class DragInverse final : public CellwiseInverse<Vector>
 
   private:
     const Model* model_ = nullptr;
-    std::span<const double> drag_;
+    std::span<const double> drag_nN_s_per_um_;
 };
 
 }  // namespace spheroscope

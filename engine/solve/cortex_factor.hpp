@@ -12,7 +12,8 @@ namespace spheroscope {
 class CortexFactor {
   public:
     /// drag [n_nodes], nN s/um, > 0.
-    CortexFactor(const MeshTopology& mesh, std::span<const double> drag, double edge_friction);
+    CortexFactor(const MeshTopology& mesh, std::span<const double> drag_nN_s_per_um,
+                 double edge_nN_s_per_um);
 
     /// x = matrix^-1 b; both [n_nodes]; work [n_nodes] is scratch. x may be b. Vector: Vec3, or
     /// Lanes in single precision.

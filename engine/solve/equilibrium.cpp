@@ -41,11 +41,11 @@ class Equilibrium final : public LinearlyImplicit {
                                              const StepOutcome& outcome) const override {
         const VelocitySystem gamma = system.velocity_system(0.0, {});
         double friction = 0.0;  // of all nodes, without contacts
-        for (const double drag : gamma.drag) friction += drag;
-        friction += 2.0 * gamma.edge_friction *
+        for (const double drag : gamma.drag_nN_s_per_um) friction += drag;
+        friction += 2.0 * gamma.edge_nN_s_per_um *
                     static_cast<double>(system.model().topology->edges.size()) *
                     static_cast<double>(system.model().n_cells());
-        const double zeta = friction / static_cast<double>(gamma.drag.size());
+        const double zeta = friction / static_cast<double>(gamma.drag_nN_s_per_um.size());
         return k_forward_part * zeta * parameters_.displacement_bound_um / outcome.force_rms_nN;
     }
 };

@@ -26,10 +26,10 @@
 namespace spheroscope {
 
 SolveOutcome ProbeCoupling::solve(System& system, const State& state, double dt_s,
-                                  std::span<const double> volume_coefficient,
+                                  std::span<const double> volume_kPa_s_per_um3,
                                   std::span<const Vec3> b, std::vector<Vec3>& v, double tolerance) {
     speed_um_per_s_ = force_nN_ = 0.0;
-    SolveOutcome outcome = system.solve_implicit(dt_s, volume_coefficient, b, v, tolerance);
+    SolveOutcome outcome = system.solve_implicit(dt_s, volume_kPa_s_per_um3, b, v, tolerance);
     const Probe& probe = state.load.probe;
     if (!probe.acts() || !outcome.converged) return outcome;
     SPHEROSCOPE_ASSERT(system.parts().probe != nullptr, "the scene of a probe has its term");
@@ -42,12 +42,12 @@ SolveOutcome ProbeCoupling::solve(System& system, const State& state, double dt_
 
     along_.assign(v.size(), probe.direction);
     residue_.resize(v.size());
-    system.velocity_system(dt_s, volume_coefficient).product(along_, residue_, system.workers());
+    system.velocity_system(dt_s, volume_kPa_s_per_um3).product(along_, residue_, system.workers());
     for (const auto& touch : touches_)
         residue_[touch.node] -= dt_s * touch.k_nN_per_um * touch.along * touch.outward;
     give_.assign(v.size(), Vec3::Zero());
     const SolveOutcome second =
-        system.solve_implicit(dt_s, volume_coefficient, residue_, give_, tolerance);
+        system.solve_implicit(dt_s, volume_kPa_s_per_um3, residue_, give_, tolerance);
     outcome.iterations += second.iterations;
     outcome.converged = second.converged;
 

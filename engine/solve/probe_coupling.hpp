@@ -14,7 +14,7 @@ class ProbeCoupling {
     /// Solves for v [all nodes] (in: where to start from) and the probe's speed. The system holds
     /// an evaluation, with stiffness, of the state's load.
     [[nodiscard]] SolveOutcome solve(System& system, const State& state, double dt_s,
-                                     std::span<const double> volume_coefficient,
+                                     std::span<const double> volume_kPa_s_per_um3,
                                      std::span<const Vec3> b, std::vector<Vec3>& v,
                                      double tolerance);
 

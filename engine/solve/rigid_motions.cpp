@@ -43,7 +43,8 @@ bool RigidMotions::factor_translations(const VelocitySystem& system) {
     std::vector<Mat3> own(idx(system.model.n_cells()), Mat3::Zero());
     for (int cell = 0; cell < system.model.n_cells(); ++cell) {
         double drag = 0.0;
-        for (const double of_node : system.model.cell_nodes(system.drag, cell)) drag += of_node;
+        for (const double of_node : system.model.cell_nodes(system.drag_nN_s_per_um, cell))
+            drag += of_node;
         own[idx(cell)].diagonal().setConstant(drag);
         own[idx(cell)] += system.cells[idx(cell)].against_translation();
     }

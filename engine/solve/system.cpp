@@ -192,7 +192,7 @@ std::vector<Vec3> System::force_of_term(const ForceTerm& term) {
     return F;
 }
 
-VelocitySystem System::velocity_system(double dt_s, std::span<const double> volume_coefficient) {
+VelocitySystem System::velocity_system(double dt_s, std::span<const double> volume_kPa_s_per_um3) {
     if (dt_s > 0.0)
         assemble(dt_s);
     else
@@ -203,7 +203,7 @@ VelocitySystem System::velocity_system(double dt_s, std::span<const double> volu
             parts_.frictions.edge_nN_s_per_um,
             now_.pairs,
             dt_s > 0.0 ? std::span<const CellMatrix>(now_.cells) : std::span<const CellMatrix>(),
-            volume_coefficient,
+            volume_kPa_s_per_um3,
             now_.geometry.volume_gradient_um2,
             now_.x_um};
 }
@@ -246,9 +246,9 @@ SolveOutcome System::solve_friction(std::span<const Vec3> b, std::span<Vec3> v, 
     return iterate(system, *friction_preconditioner_, 0.0, b, v, tolerance);
 }
 
-SolveOutcome System::solve_implicit(double dt_s, std::span<const double> volume_coefficient,
+SolveOutcome System::solve_implicit(double dt_s, std::span<const double> volume_kPa_s_per_um3,
                                     std::span<const Vec3> b, std::span<Vec3> v, double tolerance) {
-    const VelocitySystem system = velocity_system(dt_s, volume_coefficient);
+    const VelocitySystem system = velocity_system(dt_s, volume_kPa_s_per_um3);
     if (!implicit_preconditioner_) implicit_preconditioner_ = std::make_unique<BlockJacobi>();
     implicit_preconditioner_->prepare(system, workers_);
     return iterate(system, *implicit_preconditioner_, dt_s, b, v, tolerance);

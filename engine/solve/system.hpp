@@ -80,9 +80,9 @@ class System {
     [[nodiscard]] std::vector<Vec3> force_of_term(const ForceTerm& term);
 
     /// (Gamma + dt K) of the last evaluation, assembled when another dt is asked for than last
-    /// time; dt = 0: Gamma alone. volume_coefficient [cells] or empty. Valid until the next call.
+    /// time; dt = 0: Gamma alone. volume_kPa_s_per_um3 [cells] or empty. Valid until the next call.
     [[nodiscard]] VelocitySystem velocity_system(double dt_s,
-                                                 std::span<const double> volume_coefficient);
+                                                 std::span<const double> volume_kPa_s_per_um3);
     /// Coefficient of S S^T in Gamma: K T_d / V*. [cells], or empty if there is no such part.
     [[nodiscard]] std::span<const double> volume_friction() const { return volume_friction_; }
 
@@ -93,7 +93,7 @@ class System {
                                               double tolerance);
     /// Solves (Gamma + dt K) v = b.
     [[nodiscard]] SolveOutcome solve_implicit(double dt_s,
-                                              std::span<const double> volume_coefficient,
+                                              std::span<const double> volume_kPa_s_per_um3,
                                               std::span<const Vec3> b, std::span<Vec3> v,
                                               double tolerance);
 

@@ -10,18 +10,18 @@ template <class Vector> void VelocitySystem::product_of_cell(int cell,
                                                              std::span<Vector> out) const {
     using Scalar = typename VectorTraits<Vector>::Scalar;
     const std::span<const Vector> u = model.cell_nodes(u_all, cell);
-    const std::span<const double> d = model.cell_nodes(drag, cell);
+    const std::span<const double> d = model.cell_nodes(drag_nN_s_per_um, cell);
     for (std::size_t i = 0; i < u.size(); ++i) out[i] = static_cast<Scalar>(d[i]) * u[i];
     if (!cells.empty())
         cells[idx(cell)].add_product(u, out);
-    else if (edge_friction > 0.0)
-        add_cortex_friction(*model.topology, edge_friction, u, out);
-    if (!volume_coefficient.empty()) {
-        const std::span<const Vec3> s = model.cell_nodes(volume_gradient, cell);
+    else if (edge_nN_s_per_um > 0.0)
+        add_cortex_friction(*model.topology, edge_nN_s_per_um, u, out);
+    if (!volume_kPa_s_per_um3.empty()) {
+        const std::span<const Vec3> s = model.cell_nodes(volume_gradient_um2, cell);
         Scalar volume_rate{};
         for (std::size_t i = 0; i < u.size(); ++i)
             volume_rate += VectorTraits<Vector>::from(s[i]).dot(u[i]);
-        const Scalar strength = static_cast<Scalar>(volume_coefficient[idx(cell)]) * volume_rate;
+        const Scalar strength = static_cast<Scalar>(volume_kPa_s_per_um3[idx(cell)]) * volume_rate;
         for (std::size_t i = 0; i < u.size(); ++i)
             out[i] += strength * VectorTraits<Vector>::from(s[i]);
     }

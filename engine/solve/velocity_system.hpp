@@ -19,13 +19,13 @@ namespace spheroscope {
 struct VelocitySystem {
     const Model& model;
     const Contacts& contacts;
-    std::span<const double> drag;                ///< [all nodes]
-    double edge_friction = 0.0;                  ///< 0: absent
-    ContactOperator& pairs;                      ///< empty without contact friction and stiffness
-    std::span<const CellMatrix> cells;           ///< [cells], or empty: Gamma alone
-    std::span<const double> volume_coefficient;  ///< [cells], or empty: no rank-one part
-    std::span<const Vec3> volume_gradient;       ///< S [all nodes]
-    std::span<const Vec3> x_um;                  ///< [all nodes]
+    std::span<const double> drag_nN_s_per_um;      ///< [all nodes]
+    double edge_nN_s_per_um = 0.0;                 ///< 0: absent
+    ContactOperator& pairs;                        ///< empty without contact friction and stiffness
+    std::span<const CellMatrix> cells;             ///< [cells], or empty: Gamma alone
+    std::span<const double> volume_kPa_s_per_um3;  ///< [cells], or empty: no rank-one part
+    std::span<const Vec3> volume_gradient_um2;     ///< S [all nodes]
+    std::span<const Vec3> x_um;                    ///< [all nodes]
 
     [[nodiscard]] int n_groups() const { return pairs.n_groups(); }
     /// A product is product_of_group for all groups, a barrier, then product_of_cell for all cells.

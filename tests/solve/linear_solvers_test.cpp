@@ -28,16 +28,16 @@ TEST(CortexFactor, SolvesLikeDenseCholesky) {
         std::vector<double> drag;
         for (int i = 0; i < n_nodes; ++i)
             drag.push_back(0.01 + 0.02 * random.uniform(static_cast<std::uint64_t>(i)));
-        constexpr double edge_friction = 0.1155;
+        constexpr double edge_nN_s_per_um = 0.1155;
         MatrixXd matrix = MatrixXd::Zero(n_nodes, n_nodes);
         for (int i = 0; i < n_nodes; ++i) matrix(i, i) = drag[static_cast<std::size_t>(i)];
         for (const MeshTopology::Edge& e : mesh->edges) {
-            matrix(e.i, e.i) += edge_friction;
-            matrix(e.j, e.j) += edge_friction;
-            matrix(e.i, e.j) -= edge_friction;
-            matrix(e.j, e.i) -= edge_friction;
+            matrix(e.i, e.i) += edge_nN_s_per_um;
+            matrix(e.j, e.j) += edge_nN_s_per_um;
+            matrix(e.i, e.j) -= edge_nN_s_per_um;
+            matrix(e.j, e.i) -= edge_nN_s_per_um;
         }
-        const CortexFactor factor(*mesh, drag, edge_friction);
+        const CortexFactor factor(*mesh, drag, edge_nN_s_per_um);
         std::vector<Vec3> b = random_vectors(drag.size(), 1), x(b.size()), work(b.size());
         factor.solve<Vec3>(b, x, work);
         const Eigen::LLT<MatrixXd> dense(matrix);
