@@ -7,20 +7,16 @@
 #include "engine/base/index.hpp"
 #include "engine/contact/simd_target.hpp"
 #include "engine/forces/in_plane_elasticity.hpp"
-#include "engine/run/expectations.hpp"
 #include "engine/run/health.hpp"
 #include "engine/run/snapshot_maker.hpp"
 #include "engine/stages/choices.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
 
 namespace spheroscope {
 namespace {
-
-constexpr double k_unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Interval of measurements in a stage that has no outputs of its own but a condition to check; in
 /// steps where the method's time is no time.
@@ -40,18 +36,6 @@ constexpr int k_anneal_chunk = 200;
 double wall_clock_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
-}
-
-/// What hull and probe do to the cells in the system's last evaluation.
-void add_load(const System& system, const Load& load, Totals& totals) {
-    const Configuration at = system.configuration();
-    Vec3 sum_nN = Vec3::Zero();
-    for (const Vec3& f : system.force_nN()) sum_nN += f;
-    const Vec3& way = load.probe.direction;
-    totals.probe_way_um = load.probe.way_um;
-    totals.probe_force_nN = system.parts().probe->sum_nN(at).dot(way);
-    totals.hull_force_nN = -system.parts().hull->sum_nN(at).dot(way);
-    totals.load_imbalance = sum_nN.norm() / load.probe.force_nN;
 }
 
 }  // namespace
@@ -167,7 +151,7 @@ RunResult Engine::run(const EngineSinks& sinks, const std::atomic<bool>& stop) {
     Next next = Next::go_on;
     while (next == Next::go_on && run_.stage < n_stages) {
         const scene::Stage& stage = scene_.stages[idx(run_.stage)];
-        next = stage.kind == scene::StageKind::anneal ? anneal(stage) : advance(stage);
+        next = stage.kind == scene::StageKind::anneal ? anneal(stage) : advance(*make_stage(stage));
     }
     if (next == Next::go_on) {
         result_.verdict = run_.met_cap ? RunVerdict::cap : RunVerdict::finished;
@@ -244,82 +228,92 @@ double Engine::next_output_s(const scene::Stage& stage) const {
     return run_.memory.start_s + interval_s * static_cast<double>(run_.outputs_in_stage + 1);
 }
 
-// By value: changes make the scene anew.
-Engine::Next Engine::advance(const scene::Stage parameters) {
-    const std::unique_ptr<Stage> stage = make_stage(parameters);
-    if (!run_.stage_has_begun) {
-        refine_to(parameters.nodes);
-        run_.memory.start_s = run_.state.time_s;
-        // A relaxation after another one on the same mesh goes on looking at the same motion.
-        if (!goes_on_relaxing()) run_.memory.samples.clear();
-        StageContext context{*system_, run_.state, run_.memory};
-        stage->begin(context);
-        run_.stage_has_begun = true;
-        run_.has_energy = false;
-        if (run_.frames == 0 && parameters.every_s > 0.0 &&
-            publish(measure(), 0.0) == Next::stop)  // the start itself is a frame
-            return Next::stop;
-    }
-    const bool checks_by_steps = checks_by_steps_in(parameters);
+StageContext Engine::stage_context() { return {*system_, run_.state, run_.memory}; }
+
+Engine::Next Engine::advance(const Stage& stage) {
+    if (!run_.stage_has_begun && begin_stage(stage) == Next::stop) return Next::stop;
+    const std::function<double()> next_limit_s = [&] {
+        return std::min(next_output_s(stage.parameters()), stage.latest_end_s(stage_context()));
+    };
     StageEnd end = StageEnd::none;
     while (end == StageEnd::none) {
         apply_changes();  // may make another system
-        StageContext context{*system_, run_.state, run_.memory};
-        const double output_s = next_output_s(parameters);
-        const double limit_s = std::min(output_s, stage->latest_end_s(context));
-        const StepOutcome step =
-            method_->advance(*system_, run_.state, limit_s, run_.state.wall.acts());
-        Diagnostics& d = run_.diagnostics;
-        d.rejected_steps += step.rejected;
-        d.linear_iterations += step.linear_iterations;
-        if (!step.accepted) {
-            write_checkpoint();
-            Trouble trouble = *step.trouble;
-            name_flattest_triangle(system_->model(), run_.state.x_um, trouble);
-            return stop_unstable(step.dt_s, trouble);
-        }
-        ++d.steps;
-        run_.errors.after_step(step.dt_s, run_.state.v_um_per_s);
-        d.dt_s = step.dt_s;
-        d.force_residual_nN = step.force_rms_nN;
-        d.force_balance_nN = step.force_sum_nN;
-        d.step_error_um = step.error_um;
-        run_.dissipation_nN_um_per_s = step.dissipation_nN_um_per_s;
-        run_.dissipated_fJ += step.dt_s * step.dissipation_nN_um_per_s;
-        run_.driven_fJ += step.dt_s * step.drive_power_nN_um_per_s;
-        end = stage->after_step(context);
-        const bool is_due = run_.state.time_s >= output_s ||
-                            (checks_by_steps && d.steps % k_check_every_steps == 0);
-        if (end != StageEnd::none || is_due) {
-            if (run_.state.time_s >= output_s) ++run_.outputs_in_stage;
-            const Totals totals = measure();
-            run_.errors.after_measurement(run_.state.time_s, run_.state.v_um_per_s);
-            if (end == StageEnd::none || end == StageEnd::cap || end == StageEnd::done) {
-                const StageEnd met = stage->after_measure(context, totals);
-                if (met != StageEnd::none) end = met;
-            }
-            const bool is_output = parameters.every_s > 0.0 || end != StageEnd::none;
-            if (is_output && publish(totals, stage->progress(context)) == Next::stop)
-                return Next::stop;
-            // Overlapping beads leave overlapping cells, which part in a fraction of this time.
-            if (run_.state.time_s >= k_parting_s && scene_.contact)
-                if (const auto trouble =
-                        cells_inside_each_other(*system_, run_.state.x_um, scene_.contact->loc))
-                    return stop_unstable(step.dt_s, *trouble);
-        }
+        if (take_step(next_limit_s()) == Next::stop) return Next::stop;
+        StageContext context = stage_context();
+        end = stage.after_step(context);
+        if ((end != StageEnd::none || measurement_is_due(stage.parameters())) &&
+            measure_stage(stage, end) == Next::stop)
+            return Next::stop;
         if (end == StageEnd::none) {
-            const double progress = stage->progress(context);
+            const double progress = stage.progress(context);
             show_look(progress);
-            const std::function<double()> next_limit_s = [&] {
-                StageContext now{*system_, run_.state, run_.memory};
-                return std::min(next_output_s(parameters), stage->latest_end_s(now));
-            };
             if (between_steps(progress, next_limit_s) == Next::stop) return Next::stop;
         }
     }
-    StageContext context{*system_, run_.state, run_.memory};
-    stage->end(context);
+    StageContext context = stage_context();
+    stage.end(context);
     finish_stage(end);
+    return Next::go_on;
+}
+
+Engine::Next Engine::begin_stage(const Stage& stage) {
+    refine_to(stage.parameters().nodes);
+    run_.memory.start_s = run_.state.time_s;
+    // A relaxation after another one on the same mesh goes on looking at the same motion.
+    if (!goes_on_relaxing()) run_.memory.samples.clear();
+    StageContext context = stage_context();
+    stage.begin(context);
+    run_.stage_has_begun = true;
+    run_.has_energy = false;
+    const bool start_is_a_frame = run_.frames == 0 && stage.parameters().every_s > 0.0;
+    return start_is_a_frame ? publish(measure(), 0.0) : Next::go_on;
+}
+
+Engine::Next Engine::take_step(double limit_s) {
+    const StepOutcome step =
+        method_->advance(*system_, run_.state, limit_s, run_.state.wall.acts());
+    Diagnostics& d = run_.diagnostics;
+    d.rejected_steps += step.rejected;
+    d.linear_iterations += step.linear_iterations;
+    if (!step.accepted) {
+        write_checkpoint();
+        Trouble trouble = *step.trouble;
+        name_flattest_triangle(system_->model(), run_.state.x_um, trouble);
+        return stop_unstable(step.dt_s, trouble);
+    }
+    ++d.steps;
+    d.dt_s = step.dt_s;
+    d.force_residual_nN = step.force_rms_nN;
+    d.force_balance_nN = step.force_sum_nN;
+    d.step_error_um = step.error_um;
+    run_.errors.after_step(step.dt_s, run_.state.v_um_per_s);
+    run_.dissipation_nN_um_per_s = step.dissipation_nN_um_per_s;
+    run_.dissipated_fJ += step.dt_s * step.dissipation_nN_um_per_s;
+    run_.driven_fJ += step.dt_s * step.drive_power_nN_um_per_s;
+    return Next::go_on;
+}
+
+bool Engine::measurement_is_due(const scene::Stage& stage) const {
+    return run_.state.time_s >= next_output_s(stage) ||
+           (checks_by_steps_in(stage) && run_.diagnostics.steps % k_check_every_steps == 0);
+}
+
+Engine::Next Engine::measure_stage(const Stage& stage, StageEnd& end) {
+    if (run_.state.time_s >= next_output_s(stage.parameters())) ++run_.outputs_in_stage;
+    const Totals totals = measure();
+    run_.errors.after_measurement(run_.state.time_s, run_.state.v_um_per_s);
+    StageContext context = stage_context();
+    if (end == StageEnd::none || end == StageEnd::cap || end == StageEnd::done) {
+        const StageEnd met = stage.after_measure(context, totals);
+        if (met != StageEnd::none) end = met;
+    }
+    const bool is_output = stage.parameters().every_s > 0.0 || end != StageEnd::none;
+    if (is_output && publish(totals, stage.progress(context)) == Next::stop) return Next::stop;
+    // Overlapping beads leave overlapping cells, which part in a fraction of this time.
+    if (run_.state.time_s >= k_parting_s && scene_.contact)
+        if (const auto trouble =
+                cells_inside_each_other(*system_, run_.state.x_um, scene_.contact->loc))
+            return stop_unstable(run_.diagnostics.dt_s, *trouble);
     return Next::go_on;
 }
 
@@ -347,104 +341,6 @@ bool Engine::goes_on_relaxing() const {
                        &before = scene_.stages[idx(run_.stage - 1)];
     return stage.kind == scene::StageKind::relax && before.kind == scene::StageKind::relax &&
            stage.nodes == before.nodes;
-}
-
-std::vector<MeasureError> Engine::estimate_errors() {
-    if (run_.diagnostics.steps == 0 || scene_.stages.empty()) return {};
-    const ErrorCollector& seen = run_.errors;
-    const std::optional<Totals> before = totals_moved_by(seen.last_step_back_um());
-    // Only what was to come to rest is wrong by not being there.
-    const bool wants_rest =
-        std::any_of(scene_.stages.begin(), scene_.stages.end(), [](const scene::Stage& stage) {
-            return stage.until != scene::Until::duration;
-        });
-    const MethodRow& method = chosen_method(scene_);
-    std::vector<MeasureError> errors =
-        measure_errors(result_.totals, before ? &*before : nullptr, seen.last_step_s(),
-                       seen.time_error_s(method.order),
-                       wants_rest ? seen.missing_time_s(run_.state.time_s) : k_unknown);
-    for (MeasureError& error : errors)
-        error.halves_time = advice_on_time_steps(method, has_fixed_steps(scene_));
-    return errors;
-}
-
-std::optional<Totals> Engine::totals_moved_by(std::span<const Vec3> displacement_um) {
-    if (displacement_um.size() != run_.state.x_um.size()) return {};
-    std::vector<Vec3> x_um = run_.state.x_um;
-    for (std::size_t i = 0; i < x_um.size(); ++i) x_um[i] += displacement_um[i];
-    if (system_->evaluate(x_um, run_.state.volume_integral_s, 0.0, run_.state.load)) return {};
-    const Configuration at = system_->configuration();
-    compute_cell_measures(at);
-    Totals totals = compute_totals(measure_input(at));
-    totals.energy_fJ = system_->energy_fJ();
-    return totals;
-}
-
-void Engine::compute_cell_measures(const Configuration& at) {
-    pressure_kPa_.clear();
-    if (const CytosolPressure* cytosol = system_->parts().cytosol)
-        for (int cell = 0; cell < at.model.n_cells(); ++cell)
-            pressure_kPa_.push_back(cytosol->pressure_kPa(at, cell));
-    cell_stress_kPa_.clear();
-    if (system_->parts().contact) cell_stress_kPa_ = cell_stress_tensors(at, system_->workers());
-}
-
-MeasureInput Engine::measure_input(const Configuration& at) const {
-    MeasureInput input{.at = at,
-                       .v_um_per_s = run_.state.v_um_per_s,
-                       .spring_nN_per_um = spring_nN_per_um_,
-                       .pressure_kPa = {},
-                       .cell_stress_kPa = {}};
-    input.touching_area_um2 = scene_.measures.touching_area_um2;
-    if (scene_.cortex.tension) input.gamma_nN_per_um = scene_.cortex.tension->gamma_nN_per_um;
-    input.pressure_kPa = pressure_kPa_;
-    input.cell_stress_kPa = cell_stress_kPa_;
-    if (scene_.contact && scene_.contact->adhesive) {
-        input.omega_nN_per_um = scene_.contact->omega_nN_per_um;
-        input.W_nN_per_um = scene_.contact->W_nN_per_um;
-    }
-    return input;
-}
-
-Totals Engine::measure() {
-    const double wall_um = run_.state.wall.acts() ? run_.state.wall.radius_um : 0.0;
-    // What is not finite here is found again, and reported, by the next step.
-    static_cast<void>(
-        system_->evaluate(run_.state.x_um, run_.state.volume_integral_s, wall_um, run_.state.load));
-    const Configuration at = system_->configuration();
-    compute_cell_measures(at);
-    Totals totals = compute_totals(measure_input(at));
-    if (!cell_stress_kPa_.empty()) {
-        const std::vector<double> inside =
-            hydrostatic_stress_from_inside(at, cell_stress_kPa_, system_->force_nN());
-        double difference2 = 0.0, size2 = 0.0;
-        for (std::size_t cell = 0; cell < inside.size(); ++cell) {
-            const double sigma_h = cell_stress_kPa_[cell].trace() / 3.0;
-            difference2 += (sigma_h - inside[cell]) * (sigma_h - inside[cell]);
-            size2 += sigma_h * sigma_h;
-        }
-        if (size2 > 0.0) totals.virial_identity = std::sqrt(difference2 / size2);
-    }
-    if (run_.state.load.probe.acts()) add_load(*system_, run_.state.load, totals);
-    if (is_expected(scene_, "deepest_node"))
-        totals.deepest_node_um = compute_deepest_node_um(at, system_->workers());
-    const double energy_fJ = system_->energy_fJ();
-    totals.energy_fJ = energy_fJ;
-    if (run_.diagnostics.steps > 0) totals.dissipation_nN_um_per_s = run_.dissipation_nN_um_per_s;
-    if (run_.has_energy && run_.dissipated_fJ > 0.0)
-        totals.power_residual =
-            (energy_fJ - run_.energy_fJ + run_.dissipated_fJ - run_.driven_fJ) / run_.dissipated_fJ;
-    run_.energy_fJ = energy_fJ;
-    run_.has_energy = true;
-    run_.dissipated_fJ = 0.0;
-    run_.driven_fJ = 0.0;
-    Diagnostics& d = run_.diagnostics;
-    d.wall_radius_um = wall_um;
-    d.wall_force_nN = 0.0;
-    if (wall_um > 0.0)
-        for (const Vec3& f : system_->force_of_term(*system_->parts().wall))
-            d.wall_force_nN += f.norm();
-    return totals;
 }
 
 std::shared_ptr<Snapshot> Engine::snapshot_of(const Totals& totals, double progress) {

@@ -95,7 +95,19 @@ class Engine {
     /// Carries the cells over to a finer mesh, if they are not on it yet.
     void refine_to(int n_nodes);
     [[nodiscard]] Next anneal(const scene::Stage& stage);
-    [[nodiscard]] Next advance(scene::Stage parameters);
+    /// Steps and measurements until the stage ends. It has parameters of its own: changes make the
+    /// scene anew.
+    [[nodiscard]] Next advance(const Stage& stage);
+    [[nodiscard]] Next begin_stage(const Stage& stage);
+    /// One step of the method, not beyond limit_s, with its share in the sums of the run.
+    [[nodiscard]] Next take_step(double limit_s);
+    /// An output or a check of this stage, after a step.
+    [[nodiscard]] bool measurement_is_due(const scene::Stage& stage) const;
+    /// Measures, publishes a frame where the stage has outputs or is over, and stops where cells
+    /// are inside each other. Sets `end` where the stage finds in the measures that it is over.
+    [[nodiscard]] Next measure_stage(const Stage& stage, StageEnd& end);
+    /// For the system as it is now: a change makes another one.
+    [[nodiscard]] StageContext stage_context();
     [[nodiscard]] Totals measure();
     [[nodiscard]] Next publish(const Totals& totals, double progress);
     /// The state as it was measured last, with its fields; its number is -1.
