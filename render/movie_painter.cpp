@@ -4,11 +4,13 @@
 #include "engine/measures/totals.hpp"
 #include "render/layers/plot_strip.hpp"
 #include "render/provenance.hpp"
+#include "render/run_differences.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace spheroscope::render {
@@ -21,6 +23,20 @@ const TotalsRow& plotted_row(const scene::Picture& picture) {
     if (row == nullptr)
         throw Error(picture.loc, "picture.plot: there is no measure '" + picture.plot + "'");
     return *row;
+}
+
+std::string title_of(const RunHeader& header) {
+    return header.title.empty() ? header.scene_name : header.title;
+}
+
+/// Of each run; nothing for frames of one run beside each other.
+std::vector<std::string> differences_of(std::span<FrameSource* const> runs) {
+    std::vector<SnapshotPtr> last;
+    for (FrameSource* run : runs) {
+        if (run == runs.front() && !last.empty()) return std::vector<std::string>(runs.size());
+        last.push_back(run->frame(run->n_frames() - 1));
+    }
+    return what_differs(last);
 }
 
 void paste(Image& image, const Image& part, int x0, int y0) {
@@ -37,6 +53,7 @@ struct MoviePainter::Hidden {
     std::vector<SnapshotPtr> current;  // of each run: what it was asked for last
     scene::Picture picture;
     std::string drawn_by;
+    std::vector<std::string> differences;  // of each run
     std::vector<std::unique_ptr<Renderer>> renderers;
     std::optional<PlotStrip> strip;
     std::string strip_text;  // all numbers of the strip, for the fingerprint
@@ -59,17 +76,21 @@ MoviePainter::MoviePainter(std::span<FrameSource* const> runs, std::span<const S
     h.current.resize(runs.size());
     h.picture = picture;
     h.drawn_by = std::move(drawn_by);
+    h.differences = differences_of(runs);
     if (picture.plot.empty()) return;
     const TotalsRow& row = plotted_row(picture);
     PlotStrip strip;
     strip.heading = std::string(row.name);
     const ShownUnit unit = shown_unit(row.unit);
     if (!unit.text.empty()) strip.heading += fmt::format(" ({})", unit.text);
+    std::set<std::string> titles;
+    for (std::size_t k = 0; k < runs.size(); ++k) titles.insert(title_of(*h.snapshot(k, 0).header));
     for (std::size_t k = 0; k < runs.size(); ++k) {
         const Survey& survey = surveys[k];
-        const RunHeader& header = *h.snapshot(k, 0).header;
-        strip.curves.push_back({header.title.empty() ? header.scene_name : header.title,
-                                survey.time_s, survey.plotted});
+        const bool has_own_title = titles.size() == runs.size() || h.differences[k].empty();
+        strip.curves.push_back(
+            {has_own_title ? title_of(*h.snapshot(k, 0).header) : h.differences[k], survey.time_s,
+             survey.plotted});
         for (double& value : strip.curves.back().value) value *= unit.per_stored;
         for (std::size_t i = 0; i < survey.time_s.size(); ++i)
             h.strip_text += fmt::format("{:.17g} {:.17g} ", survey.time_s[i], survey.plotted[i]);
@@ -104,6 +125,8 @@ PngTexts MoviePainter::texts(std::span<const Shown> shown) {
         all.erase(beside + k_fingerprint_key);
         beside += k_beside;
     }
+    if (shown.size() > 1)
+        fingerprints.insert(fingerprints.end(), h.differences.begin(), h.differences.end());
     if (h.strip) fingerprints.push_back(h.strip_text);
     all[k_fingerprint_key] = join_fingerprints(fingerprints);
     return all;
@@ -116,7 +139,8 @@ Image MoviePainter::paint(std::span<const Shown> shown) {
     for (std::size_t k = 0; k < shown.size(); ++k) {
         const Snapshot& snapshot = h.snapshot(k, shown[k].frame);
         if (k == h.renderers.size())
-            h.renderers.push_back(std::make_unique<Renderer>(snapshot.header, h.picture));
+            h.renderers.push_back(
+                std::make_unique<Renderer>(snapshot.header, h.picture, h.differences[k]));
         parts.push_back(h.renderers[k]->render(snapshot, shown[k].view));
         time_s.push_back(snapshot.time_s);
     }

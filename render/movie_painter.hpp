@@ -28,8 +28,9 @@ struct Survey {
 /// Key of Renderer::drawn_with among the texts of a picture's file.
 inline constexpr const char* k_drawn_with_key = "Drawn with";
 
-/// Paints the pictures of a movie: runs side by side, and the plot below if the picture
-/// asks for one. One thread makes, uses and destroys it. Runs and surveys must live as long.
+/// Paints the pictures of a movie: runs side by side, each with what tells it from the others, and
+/// the plot below if the picture asks for one. One thread makes, uses and destroys it. Runs and
+/// surveys must live as long.
 class MoviePainter {
   public:
     /// runs, surveys: one of each for every part of the picture; a run may be there several times.

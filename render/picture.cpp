@@ -149,6 +149,7 @@ int most_samples(const scene::Picture& picture) { return picture.smooth ? 2 : 1;
 struct Renderer::Hidden {
     std::shared_ptr<const RunHeader> header;
     scene::Picture picture;
+    std::string difference;
     int field_index = -1;
     const Field* field = nullptr;
     OsmesaContext context;  // before the layers: they are destroyed first
@@ -160,9 +161,11 @@ struct Renderer::Hidden {
     TextPainter text;
     Buffers cells_drawn, network_drawn, axes_drawn, load_drawn;
 
-    Hidden(std::shared_ptr<const RunHeader> run, const scene::Picture& wanted)
-        : header(std::move(run)), context(most_samples(wanted) * wanted.size_px[0],
-                                          most_samples(wanted) * wanted.size_px[1]) {
+    Hidden(std::shared_ptr<const RunHeader> run, const scene::Picture& wanted,
+           std::string difference_of_run)
+        : header(std::move(run)), difference(std::move(difference_of_run)),
+          context(most_samples(wanted) * wanted.size_px[0],
+                  most_samples(wanted) * wanted.size_px[1]) {
         set_picture(wanted);
     }
 
@@ -263,11 +266,12 @@ void Renderer::Hidden::draw_load(const Snapshot& snapshot, const Camera& camera,
     add_glass(cells_drawn, load_drawn, k_glass_opacity);
 }
 
-Renderer::Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture) {
+Renderer::Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture,
+                   std::string difference) {
     check_picture(picture);
     static_cast<void>(find_picture_field(*header, picture));  // before OpenGL is asked for anything
     check_axes(*header, picture);
-    hidden_ = std::make_unique<Hidden>(std::move(header), picture);
+    hidden_ = std::make_unique<Hidden>(std::move(header), picture, std::move(difference));
 }
 
 Renderer::~Renderer() = default;
@@ -307,6 +311,7 @@ Image Renderer::draw(const Snapshot& snapshot, const View& view) {
 
     Furniture furniture;
     furniture.title = h.header->title.empty() ? h.header->scene_name : h.header->title;
+    furniture.difference = h.difference;
     furniture.layout = h.layout();
     set_status(furniture, snapshot, view.time_decimals);
     furniture.footer = h.header->scene_name;

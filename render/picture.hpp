@@ -45,7 +45,9 @@ class Renderer {
   public:
     /// Throws Error when the picture wants a field, or axes, that the run does not hold, has a bad
     /// size or an empty range (usage), or when nothing can be drawn here (environment).
-    Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture);
+    /// `difference` is written below the title: what tells this run from those beside it.
+    Renderer(std::shared_ptr<const RunHeader> header, const scene::Picture& picture,
+             std::string difference = "");
     ~Renderer();
 
     /// Another picture of the same run from now on. Throws like the constructor, with nothing

@@ -159,9 +159,9 @@ class Writer {
         line(x + scaled(26.0), y_baseline, words);
     }
 
-    /// Title, status and notes from the upper left corner down, as far as they have room above
-    /// y_end.
-    void left_block(const Furniture& furniture, double width, double y_end);
+    /// Title, difference, status and notes from the upper left corner down, as far as they have
+    /// room above y_end. Returns whether the title has.
+    bool left_block(const Furniture& furniture, double width, double y_end);
     // Parts of the column on the right, each from its first baseline; they return their last one.
     double colour_bar(double x, double y, const Furniture& furniture);
     double network_key(double x, double y, const Furniture& furniture);
@@ -174,7 +174,7 @@ class Writer {
     std::vector<DrawnBox> boxes_;
 };
 
-void Writer::left_block(const Furniture& furniture, double width, double y_end) {
+bool Writer::left_block(const Furniture& furniture, double width, double y_end) {
     const double left = scaled(k_margin), first = k_margin + 24.0, pitch = k_line + 6.0;
     double y = scaled(first - pitch);
     const auto has_room = [&](int n_lines) {
@@ -183,15 +183,22 @@ void Writer::left_block(const Furniture& furniture, double width, double y_end) 
     std::string status = furniture.status;
     if (this->width(status) > width) status = furniture.short_status;
     if (this->width(status) > width) status.clear();  // a part of a number is another number
-    // The time matters more than the title.
-    if (width >= scaled(k_shortest_text) && has_room(status.empty() ? 1 : 2))
-        title(left, y += scaled(pitch), furniture.title, width);
-    if (status.empty() || !has_room(1)) return;
+    const std::string difference = shortened(text_, furniture.difference, {scaled(k_text)}, width);
+    // The time matters more than the difference, and that more than a title that both runs may
+    // have.
+    const int n_status = status.empty() ? 0 : 1, n_difference = difference.empty() ? 0 : 1;
+    const bool has_title =
+        width >= scaled(k_shortest_text) && has_room(1 + n_difference + n_status);
+    if (has_title) title(left, y += scaled(pitch), furniture.title, width);
+    if (n_difference > 0 && has_room(1 + n_status))
+        line_above(left, y += scaled(has_title ? k_line : pitch), difference, k_ink);
+    if (status.empty() || !has_room(1)) return has_title;
     line_above(left, y += scaled(pitch), status, k_ink);
     for (const std::string& note : furniture.notes) {
-        if (y + scaled(k_line + k_descent) > y_end || this->width(note) > width) return;
+        if (y + scaled(k_line + k_descent) > y_end || this->width(note) > width) break;
         line_above(left, y += scaled(k_line), note, k_soft_ink);
     }
+    return has_title;
 }
 
 double Writer::colour_bar(double x, double y, const Furniture& furniture) {
@@ -306,11 +313,16 @@ FurnitureLayout lay_out_furniture(int width_px, int height_px, const FurniturePa
         layout.scale = k_smallest_scale;
         const bool is_too_wide =
             layout.scale * k_column > k_largest_column_share * static_cast<double>(width_px);
-        for (bool FurnitureLayout::*part :
-             {&FurnitureLayout::has_footer, &FurnitureLayout::has_counts,
-              &FurnitureLayout::has_network_numbers, &FurnitureLayout::has_axes_key,
-              &FurnitureLayout::has_network_key, &FurnitureLayout::has_bar_words,
-              &FurnitureLayout::has_bar})
+        const bool is_title_below =
+            width_px - layout.scale * (k_column + 2.0 * k_margin) < layout.scale * k_shortest_text;
+        std::vector<bool FurnitureLayout::*> parts_in_order{
+            &FurnitureLayout::has_counts, &FurnitureLayout::has_network_numbers,
+            &FurnitureLayout::has_axes_key, &FurnitureLayout::has_network_key,
+            &FurnitureLayout::has_bar_words};
+        parts_in_order.insert(is_title_below ? parts_in_order.end() : parts_in_order.begin(),
+                              &FurnitureLayout::has_footer);
+        parts_in_order.push_back(&FurnitureLayout::has_bar);
+        for (bool FurnitureLayout::*part : parts_in_order)
             if (is_too_wide ||
                 layout.scale * column_height(layout, parts, k_smallest_bar) > height_px)
                 layout.*part = false;
@@ -346,10 +358,11 @@ std::vector<DrawnBox> draw_furniture(Image& image, TextPainter& text, const Furn
     const double label_x = std::max(left, 0.5 * (bar.x0 + bar.x1 - label_px));
     const double label_y = bar.y0 - scaled(10.0);
     writer.line_above(label_x, label_y, bar.label, k_ink);
-    writer.left_block(furniture, image.width - layout.column_px - 2.0 * left,
-                      label_y - scaled(k_text));
+    const bool has_title = writer.left_block(furniture, image.width - layout.column_px - 2.0 * left,
+                                             label_y - scaled(k_text));
     if (layout.has_footer)
-        writer.footer(image.width - left, image.height - scaled(k_margin), furniture.footer,
+        writer.footer(image.width - left, image.height - scaled(k_margin),
+                      has_title ? furniture.footer : furniture.title,
                       image.width - left - std::max(bar.x1, label_x + label_px) - scaled(k_block));
 
     const double x = image.width - layout.column_px;

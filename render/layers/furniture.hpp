@@ -31,7 +31,8 @@ struct FurnitureLayout {
 };
 /// Sizes grow with the picture. Where not everything has room they shrink, down to letters that
 /// can just be read; then the least important parts are left out. Cells always keep two fifths of
-/// the width.
+/// the width. A title that has no room beside the column stands where the footer would, and goes
+/// only before the bar.
 [[nodiscard]] FurnitureLayout lay_out_furniture(int width_px, int height_px,
                                                 const FurnitureParts& parts);
 
@@ -48,10 +49,11 @@ struct ScaleBar {
 struct Furniture {
     FurnitureLayout layout;
     std::string title;
+    std::string difference;          ///< from the run beside it; empty: there is none
     std::string status;              ///< stage and time
     std::string short_status;        ///< stands where the status has no room
     std::vector<std::string> notes;  ///< measures of the whole aggregate
-    std::string footer;              ///< name of the scene
+    std::string footer;              ///< name of the scene; gives way to a title without room
     double px_per_um = 1.0;
 
     const Field* field = nullptr;  ///< nullptr: no colour bar

@@ -36,6 +36,7 @@ Furniture everything(const FurnitureLayout& layout) {
     Furniture furniture;
     furniture.layout = layout;
     furniture.title = "A title that is a good deal longer than most of them are";
+    furniture.difference = "seed = 2, cells.nodes = 642, cortex.elastic.E = 320 kPa";
     furniture.status = "indent   t = 187.00 s";
     furniture.short_status = "t = 187.00 s";
     furniture.notes = {"Z = 12.5", "contact area 100 %", "bead 1500.0 nN", "way 14.51 µm"};
@@ -89,9 +90,9 @@ TEST(Furniture, IsCompleteFrom640By360On) {
     for (const auto& [width, height] : {std::array{640, 360}, {900, 400}, {1280, 720}}) {
         const std::vector<DrawnBox> boxes = drawn_in(width, height);
         for (const char* what :
-             {"A title", "indent", "way 14.51", "µm", "a_scene", "σ^c_nn (Pa)", "this frame",
-              "colour bar", "no contact", "above", "below", "contact force", "compression",
-              "1234 of 12345 left out", "principal stress", "longest"})
+             {"A title", "seed = 2", "indent", "way 14.51", "µm", "a_scene", "σ^c_nn (Pa)",
+              "this frame", "colour bar", "no contact", "above", "below", "contact force",
+              "compression", "1234 of 12345 left out", "principal stress", "longest"})
             EXPECT_TRUE(has(boxes, what)) << what << " in " << width << " x " << height;
     }
 }
@@ -118,6 +119,32 @@ TEST(Furniture, LeavesOutTheLeastImportantFirst) {
     EXPECT_EQ(lay_out_furniture(128, 720, parts).column_px, 0.0) << "cells need the width";
     EXPECT_EQ(lay_out_furniture(1280, 720, parts).scale, 1.0);
     EXPECT_EQ(lay_out_furniture(3840, 2160, parts).scale, 3.0);
+}
+
+TEST(Furniture, WithRoomForOneLineOnlyHasTheTitleAndNotTheFilesName) {
+    for (const int width : {197, 200, 204, 211})
+        for (const int height : {150, 180, 200, 300}) {
+            const std::vector<DrawnBox> boxes = drawn_in(width, height);
+            EXPECT_TRUE(has(boxes, "A title")) << width << " x " << height;
+            EXPECT_TRUE(has(boxes, "σ^c_nn (Pa)")) << width << " x " << height;
+            EXPECT_FALSE(has(boxes, "a_scene")) << width << " x " << height;
+        }
+    EXPECT_TRUE(has(drawn_in(240, 300), "A title")) << "beside the bar";
+}
+
+TEST(Furniture, LeavesOutTheTitleBeforeWhatTellsTwoRunsApartAndThatBeforeTheTime) {
+    const auto shown = [](int height) {
+        const std::vector<DrawnBox> boxes = drawn_in(1280, height);
+        return std::array{has(boxes, "A title"), has(boxes, "seed = 2"), has(boxes, "t = 187")};
+    };
+    std::array<bool, 3> before{false, false, false};
+    for (int height = 64; height <= 200; height += 4) {
+        const std::array now = shown(height);
+        EXPECT_TRUE(now[2] || !now[1]) << height;
+        EXPECT_TRUE(now[1] || !now[0]) << height;
+        before = now;
+    }
+    EXPECT_EQ(before, (std::array{true, true, true}));
 }
 
 TEST(ColourBar, HasTwoLabelsOrMoreWhateverItsRange) {

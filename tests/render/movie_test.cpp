@@ -7,6 +7,7 @@
 #include "tests/render/synthetic.hpp"
 #include "tests/render/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -307,6 +308,56 @@ TEST(Movie, OfTwoRunsShowsBothWithOneRangeAndOneScale) {
     DriftingPair other(4, 0.04F, 1.0);
     EXPECT_EQ(make_comparison(frames, other, settings).n_drawn, 4)
         << "the fingerprint is of both halves";
+}
+
+/// The drifting pair under another title, or seed.
+class PairOf : public FrameSource {
+  public:
+    PairOf(std::uint64_t seed, const std::string& title) : pair_(4) {
+        header_ = std::make_shared<RunHeader>(*pair_.frame(0)->header);
+        header_->seed = seed;
+        header_->title = title;
+        header_->resolved_scene = fmt::format("[scene]\ntitle = \"{}\"\nseed = {}\n", title, seed);
+    }
+    int n_frames() override { return pair_.n_frames(); }
+    SnapshotPtr frame(int i) override {
+        auto snapshot = std::make_shared<Snapshot>(*pair_.frame(i));
+        snapshot->header = header_;
+        return snapshot;
+    }
+
+  private:
+    DriftingPair pair_;
+    std::shared_ptr<RunHeader> header_;
+};
+
+TEST(Movie, HalvesOfOneTitleSayWhatTellsTheirRunsApart) {
+    const TemporaryFolder folder;
+    PairOf first(1, "A pair"), second(2, "A pair");
+    const MovieSettings settings = settings_in(folder.path());
+    make_comparison(first, second, settings);
+    const PngFile file = read_png(settings.frames_folder / "000003.png");
+    const View view = parse_description(file.texts.at(k_view_key)).view;
+    const auto is_half = [&](int half, const Image& wanted) {
+        for (int y = 0; y < wanted.height; ++y)
+            for (int x = 0; x < wanted.width; ++x)
+                if (file.image.at(half * 320 + x, y) != wanted.at(x, y)) return false;
+        return true;
+    };
+    const auto drawn = [&](PairOf& run, const std::string& difference) {
+        return Renderer(run.frame(3)->header, settings.picture, difference)
+            .render(*run.frame(3), view);
+    };
+    EXPECT_TRUE(is_half(0, drawn(first, "seed = 1")));
+    EXPECT_TRUE(is_half(1, drawn(second, "seed = 2")));
+    EXPECT_FALSE(is_half(1, drawn(second, "seed = 1")));
+    FrameSource* const twice[]{&first, &first};
+    const std::vector<Survey> surveys(2, survey_frames(first, settings.picture));
+    MoviePainter strip(twice, surveys, settings.picture, "test");
+    const std::array<MoviePainter::Shown, 2> shown{{{3, view}, {3, view}}};
+    const Image alone = drawn(first, ""), both = strip.paint(shown);
+    for (int x = 0; x < 640; ++x)
+        for (int y = 0; y < 180; ++y) ASSERT_EQ(both.at(x, y), alone.at(x % 320, y));
 }
 
 TEST(Movie, APlotBelowItMovesItsMarkAlongTheCurve) {
