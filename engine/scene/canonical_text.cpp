@@ -1,5 +1,6 @@
 #include "engine/scene/key_text.hpp"
 #include "engine/scene/resolve.hpp"
+#include "engine/scene/value_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -13,10 +14,26 @@ bool is_written(const Key& key) {
            key.absent.rule != WhenAbsent::Rule::optional_input;
 }
 
+/// A value that follows from several others may be one that no file may say.
+void check_size(Draft& draft, const Key& key, std::size_t item) {
+    const auto* reach = std::get_if<Reach<double>>(&key.access);
+    const double value = reach != nullptr ? (*reach)(draft, item) : 0.0;
+    if (reach == nullptr || !std::isfinite(value)) return;
+    const std::string sizes = missed_sizes(key, value);
+    if (!sizes.empty())
+        throw Error(draft.document->loc_of(key.table),
+                    fmt::format("{}.{} must be {}, got {} from other keys", key.table, key.name,
+                                sizes, fmt::format("{:g} {}", value, engine_unit(key.dimension))),
+                    key.absent.rule == WhenAbsent::Rule::computed
+                        ? fmt::format("it is {}", key.absent.words)
+                        : fmt::format("it follows from {}", key.absent.words));
+}
+
 void write_keys(Draft& draft, const Table& table, std::size_t item, std::string& text) {
     for (const Key& key : all_keys()) {
         if (key.table != table.path || !is_written(key)) continue;
         if (key.applies.holds != nullptr && !key.applies.holds(draft, item)) continue;
+        check_size(draft, key, item);
         const std::string value = value_text(draft, key, item);
         if (!value.empty()) text += fmt::format("{} = {}\n", key.name, value);
     }

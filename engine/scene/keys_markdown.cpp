@@ -59,7 +59,15 @@ std::string keys_markdown() {
     Draft
         draft;  // its parts appear as their first key is reached, so defaults are the members' own
     draft.document = &empty;
-    std::string text;
+    std::string text = "Whatever the range of a key, these are the largest sizes of its kind, and "
+                       "the smallest where it cannot be zero:\n\n| kind | unit | smallest | "
+                       "largest |\n|---|---|---|---|\n";
+    for (const Dimension dimension : all_dimensions()) {
+        const auto [smallest, largest] = size_limits(dimension);
+        text += fmt::format("| {} | {} | {:g} | {:g} |\n", dimension_name(dimension),
+                            engine_unit(dimension), smallest, largest);
+    }
+    text += "\n";
     for (const Table& table : all_tables()) {
         if (table.enter != nullptr) table.enter(draft, Loc{}, "NAME");
         text += fmt::format("### `{}`\n\n{} {}\n\n", header(table), table.description,

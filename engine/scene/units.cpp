@@ -21,26 +21,29 @@ struct DimensionRow {
     Dimension dimension;
     std::string_view name, article, unit;
     Exponents exponents;
+    SizeLimits limits;
 };
 
 // clang-format off
 constexpr std::array k_dimensions{
-    DimensionRow{Dimension::number, "number", "a plain number", "", {0, 0, 0, 0}},
-    DimensionRow{Dimension::length, "length", "a length", "um", {1, 0, 0, 0}},
-    DimensionRow{Dimension::area, "area", "an area", "um^2", {2, 0, 0, 0}},
-    DimensionRow{Dimension::time, "time", "a time", "s", {0, 1, 0, 0}},
-    DimensionRow{Dimension::rate, "rate", "a rate", "1/s", {0, -1, 0, 0}},
-    DimensionRow{Dimension::force, "force", "a force", "nN", {0, 0, 1, 0}},
-    DimensionRow{Dimension::stiffness, "stiffness", "a stiffness", "kPa", {-2, 0, 1, 0}},
-    DimensionRow{Dimension::pressure, "pressure", "a pressure", "kPa", {-2, 0, 1, 0}},
-    DimensionRow{Dimension::tension, "tension", "a tension", "nN/um", {-1, 0, 1, 0}},
-    DimensionRow{Dimension::viscosity, "viscosity", "a viscosity", "kPa s", {-2, 1, 1, 0}},
+    DimensionRow{Dimension::number, "number", "a plain number", "", {0, 0, 0, 0}, {1e-15, 1e12}},
+    DimensionRow{Dimension::length, "length", "a length", "um", {1, 0, 0, 0}, {1e-6, 1e6}},
+    DimensionRow{Dimension::area, "area", "an area", "um^2", {2, 0, 0, 0}, {1e-12, 1e12}},
+    DimensionRow{Dimension::time, "time", "a time", "s", {0, 1, 0, 0}, {1e-15, 1e9}},
+    DimensionRow{Dimension::rate, "rate", "a rate", "1/s", {0, -1, 0, 0}, {1e-9, 1e12}},
+    DimensionRow{Dimension::force, "force", "a force", "nN", {0, 0, 1, 0}, {1e-12, 1e9}},
+    DimensionRow{Dimension::stiffness, "stiffness", "a stiffness", "kPa", {-2, 0, 1, 0},
+                 {1e-12, 1e9}},
+    DimensionRow{Dimension::pressure, "pressure", "a pressure", "kPa", {-2, 0, 1, 0}, {1e-12, 1e9}},
+    DimensionRow{Dimension::tension, "tension", "a tension", "nN/um", {-1, 0, 1, 0}, {1e-12, 1e9}},
+    DimensionRow{Dimension::viscosity, "viscosity", "a viscosity", "kPa s", {-2, 1, 1, 0},
+                 {1e-12, 1e9}},
     DimensionRow{Dimension::friction_per_area, "friction per area", "a friction per area",
-                 "kPa s/um", {-3, 1, 1, 0}},
+                 "kPa s/um", {-3, 1, 1, 0}, {1e-12, 1e9}},
     DimensionRow{Dimension::stiffness_per_area, "stiffness per area", "a stiffness per area",
-                 "kPa/um", {-3, 0, 1, 0}},
-    DimensionRow{Dimension::angle, "angle", "an angle", "rad", {0, 0, 0, 1}},
-    DimensionRow{Dimension::view_angle, "angle", "an angle", "deg", {0, 0, 0, 1}},
+                 "kPa/um", {-3, 0, 1, 0}, {1e-12, 1e9}},
+    DimensionRow{Dimension::angle, "angle", "an angle", "rad", {0, 0, 0, 1}, {1e-9, 1e6}},
+    DimensionRow{Dimension::view_angle, "angle", "an angle", "deg", {0, 0, 0, 1}, {1e-9, 1e6}},
 };
 // clang-format on
 
@@ -213,8 +216,14 @@ std::string describe(const Exponents& exponents) {
 
 }  // namespace
 
+std::vector<Dimension> all_dimensions() {
+    std::vector<Dimension> all;
+    for (const DimensionRow& row : k_dimensions) all.push_back(row.dimension);
+    return all;
+}
 std::string_view dimension_name(Dimension dimension) { return row_of(dimension).name; }
 std::string_view engine_unit(Dimension dimension) { return row_of(dimension).unit; }
+SizeLimits size_limits(Dimension dimension) { return row_of(dimension).limits; }
 
 Quantity parse_quantity(std::string_view text, Dimension wanted) {
     const std::string plain = spelled_in_ascii(text);

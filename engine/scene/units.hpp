@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 // Quantities of scene files: "20 kPa", "0.5 mN/m", "200 nm", "1 kPa s", "90 deg" become numbers in
 // the engine's units (um, s, nN). A power of ten between the given unit and the engine's goes into
@@ -26,10 +27,19 @@ enum class Dimension {
     view_angle,  ///< deg: the same quantity, counted as people turn pictures
 };
 
+[[nodiscard]] std::vector<Dimension> all_dimensions();
 /// "stiffness", "friction per area".
 [[nodiscard]] std::string_view dimension_name(Dimension dimension);
 /// Engine unit in ASCII: "kPa", "nN/um"; "" for a plain number.
 [[nodiscard]] std::string_view engine_unit(Dimension dimension);
+
+/// Sizes beyond which no quantity of this kind can be meant, in its engine unit: nothing is larger,
+/// and what cannot be zero is not smaller. They are far from what cells have, and far from where
+/// sums and products of doubles lose their meaning.
+struct SizeLimits {
+    double smallest, largest;
+};
+[[nodiscard]] SizeLimits size_limits(Dimension dimension);
 
 /// What came of reading a quantity. `problem` says in words what was got instead, ready to follow
 /// 'got "20 nN/um" ' in a message: "(a tension)", "(no unit)"; empty if all went well.

@@ -37,6 +37,7 @@ class ValueReader {
         if (!quantity.ok()) refuse(value, quantity.problem);
         if (!std::isfinite(quantity.value)) refuse(value, "(not finite)");
         check_bound(value, quantity.value);
+        check_size(value, quantity.value);
         target = quantity.value;
     }
 
@@ -113,8 +114,17 @@ class ValueReader {
     }
 
     void check_bound(const Value& value, double number) const {
-        if (key_.bound.holds == nullptr || key_.bound.holds(number)) return;
-        throw Error(value.loc, fmt::format("{} must be {}, got {}{}", path_, key_.bound.words,
+        if (key_.bound.holds != nullptr && !key_.bound.holds(number))
+            refuse_number(value, key_.bound.words);
+    }
+
+    void check_size(const Value& value, double number) const {
+        if (const std::string sizes = missed_sizes(key_, number); !sizes.empty())
+            refuse_number(value, sizes);
+    }
+
+    [[noreturn]] void refuse_number(const Value& value, std::string_view wanted) const {
+        throw Error(value.loc, fmt::format("{} must be {}, got {}{}", path_, wanted,
                                            document_.as_written(value),
                                            document_.quote(value.loc, value.end_column, note())));
     }
@@ -167,6 +177,17 @@ std::string describe_type(const Key& key) {
             [&](const Choice& choice) { return "one of " + quoted_list(choice.words); },
         },
         key.access);
+}
+
+std::string missed_sizes(const Key& key, double number) {
+    const auto may_be = [&](double x) { return key.bound.holds == nullptr || key.bound.holds(x); };
+    const auto [smallest, largest] = size_limits(key.dimension);
+    const bool may_be_zero = may_be(0.0);
+    const double size = std::abs(number);
+    if (size <= largest && (may_be_zero || size >= smallest)) return "";
+    const double low = !may_be_zero ? smallest : may_be(-largest) ? -largest : 0.0;
+    const std::string_view unit = engine_unit(key.dimension);
+    return fmt::format("{:g} ... {:g}{}{}", low, largest, unit.empty() ? "" : " ", unit);
 }
 
 void read_value(Draft& draft, const Key& key, const Value& value, const std::string& path,

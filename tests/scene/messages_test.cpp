@@ -1,3 +1,4 @@
+#include "engine/scene/value_reader.hpp"
 #include "tests/scene/scene_text.hpp"
 
 #include <gtest/gtest.h>
@@ -105,6 +106,41 @@ TEST(SceneMessages, NumbersThatAreNotFiniteAreRefused) {
     EXPECT_EQ(
         refusal(with(k_doublet, "\"20 kPa\"", "nan")).substr(0, 82),
         "a.toml:6:5: error: cortex.elastic.E wants a stiffness (kPa), got nan (not finite)\n");
+}
+
+TEST(SceneMessages, SizesThatNoQuantityOfTheirKindHasAreRefused) {
+    EXPECT_EQ(refusal(with(k_doublet, "\"9 um\"", "1e200")),
+              "a.toml:3:10: error: cells.radius must be 1e-06 ... 1e+06 um, got 1e200\n"
+              "    3 | radius = 1e200\n"
+              "      |          ^~~~~   typical: 5 ... 13 um (Cuvelier et al. 2021, Table 2)");
+    const auto expect_begin = [](const std::string& text, const std::string& begin) {
+        EXPECT_TRUE(refusal(text).starts_with("a.toml:" + begin)) << refusal(text);
+    };
+    expect_begin(with(k_doublet, "\"9 um\"", "\"1e-7 um\""),
+                 "3:10: error: cells.radius must be 1e-06 ... 1e+06 um, got \"1e-7 um\"\n");
+    expect_begin(with(k_doublet, "\"20 kPa\"", "\"1e5 GPa\""),
+                 "6:5: error: cortex.elastic.E must be 1e-12 ... 1e+09 kPa, got \"1e5 GPa\"\n");
+    expect_begin(with(k_drop, "\"1 s\"", "1e30"),
+                 "12:12: error: stage[0].duration must be 1e-15 ... 1e+09 s, got 1e30\n");
+    expect_begin(k_drop + "[load.body_force]\nforce = [0, 0, -1e10]\n",
+                 "14:16: error: load.body_force.force must be -1e+09 ... 1e+09 nN, got -1e10\n");
+    const std::string by_override = refusal(k_drop, {{"cells.radius", "1e200"}});
+    EXPECT_TRUE(by_override.starts_with(
+        "--set cells.radius=1e200: error: cells.radius must be 1e-06 ... 1e+06 um, got 1e+200"))
+        << by_override;
+    // No key is without: what may be zero may also be next to it.
+    for (const Key& key : all_keys()) {
+        EXPECT_NE(missed_sizes(key, 1e200), "") << key.table << "." << key.name;
+        const bool can_be_zero = key.bound.holds == nullptr || key.bound.holds(0.0);
+        EXPECT_EQ(missed_sizes(key, 1e-200).empty(), can_be_zero) << key.table << "." << key.name;
+    }
+}
+
+TEST(SceneMessages, AValueThatFollowsFromOthersMustBeOneThatAFileMaySay) {
+    const std::string text = with(k_doublet, "E = \"20 kPa\"", "Et_over_omega = 1e11");
+    EXPECT_EQ(refusal(text),
+              "a.toml:5:1: error: cortex.elastic.E must be 1e-12 ... 1e+09 kPa, got 2.5e+11 kPa "
+              "from other keys\n  hint: it follows from E, Et_over_omega");
 }
 
 TEST(SceneMessages, ValuesOfAnotherTypeAreRefused) {
