@@ -1,5 +1,6 @@
 #include "render/contact_sheet.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/base/index.hpp"
 #include "render/canvas.hpp"
 #include "render/colour_maps.hpp"
@@ -261,8 +262,9 @@ void ContactSheet::Hidden::draw_map(const std::optional<ContactReport>& report, 
         write(map, k_map_side - 8.0, 0.5 * k_map_side - 8.0, "u", 17.0, k_ink, Anchor::right);
         write(map, k_map_side - 8.0, k_map_side - 12.0,
               report->law == "traction"
-                  ? fmt::format("{} clip polygons, dots: quadrature points", report->map.size())
-                  : fmt::format("{} triangles of A, dots: samples", report->map.size()),
+                  ? fmt::format("{}, dots: quadrature points",
+                                counted(report->map.size(), "clip polygon"))
+                  : fmt::format("{} of A, dots: samples", counted(report->map.size(), "triangle")),
               14.0, k_soft_ink, Anchor::right);
     } else {
         write(map, 0.5 * k_map_side, 0.5 * k_map_side, "no contact in this frame", 19.0, k_soft_ink,
@@ -299,7 +301,7 @@ void ContactSheet::Hidden::draw_bar(const std::optional<ContactReport>& report, 
             });
         if (n_beyond > 0)
             write(image, k_map_x + k_map_side, k_map_y - 14.0,
-                  fmt::format("{} polygons beyond the range", n_beyond), 14.0, k_soft_ink,
+                  counted(n_beyond, "polygon") + " beyond the range", 14.0, k_soft_ink,
                   Anchor::right);
     }
     write(image, x0, k_bar_y + 60.0, "pull", 16.0, k_soft_ink);

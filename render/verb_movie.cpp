@@ -1,3 +1,4 @@
+#include "engine/base/counted.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/progress.hpp"
@@ -105,13 +106,12 @@ void draw(const RunFileReader& reader, const std::vector<scene::Picture>& pictur
              {"share_outside_range", result.share_outside},
              {"wall_s", wall_s}});
         if (!result.stopped)
-            outcome.text += fmt::format("movie                {} ({} frames, {} drawn, {})\n",
-                                        settings.movie_path.string(), result.n_frames,
-                                        result.n_drawn, cli::duration_text(wall_s));
+            outcome.text += fmt::format(
+                "movie                {} ({}, {} drawn, {})\n", settings.movie_path.string(),
+                counted(result.n_frames, "frame"), result.n_drawn, cli::duration_text(wall_s));
         if (result.stopped) {
-            outcome.text +=
-                fmt::format("movie                none: stopped after {} of {} pictures\n",
-                            result.n_done, result.n_frames);
+            outcome.text += fmt::format("movie                none: stopped after {} of {}\n",
+                                        result.n_done, counted(result.n_frames, "picture"));
             outcome.code = interrupted();
             return;
         }
@@ -171,9 +171,9 @@ ExitCode verify(const MovieArguments& arguments, const cli::Invocation& invocati
         throw Error(arguments.verify + " shows two runs side by side",
                     "name the other one with --compare");
     if (!arguments.compare.empty() && n_shown != 2)
-        throw Error(fmt::format("{} shows {} of one run", arguments.verify,
-                                n_shown == 1 ? "a frame" : fmt::format("{} frames", n_shown)),
-                    "leave --compare out");
+        throw Error(
+            fmt::format("{} shows {} of one run", arguments.verify, counted(n_shown, "frame")),
+            "leave --compare out");
     std::string run_file =
         arguments.input.empty() ? run_of_picture(arguments.verify) : arguments.input;
     std::optional<ScratchFolder> scratch;

@@ -1,5 +1,6 @@
 #include "render/verify.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/base/error.hpp"
 #include "render/movie_painter.hpp"
 #include "render/provenance.hpp"
@@ -54,7 +55,7 @@ Verification verify_picture(const PngFile& file, std::span<FrameSource* const> r
         const int frame = number_of(text_of(file.texts, prefix + "Frame"), prefix + "Frame");
         if (frame >= runs[k]->n_frames())
             throw Error("the picture shows frame " + std::to_string(frame) + ", the run has only " +
-                        std::to_string(runs[k]->n_frames()) + " frames");
+                        counted(runs[k]->n_frames(), "frame"));
         const RunHeader& header = *runs[k]->frame(frame)->header;
         for (const auto& [key, got] :
              {std::pair<std::string, std::string>{"Scene", header.resolved_scene},

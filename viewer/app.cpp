@@ -1,5 +1,6 @@
 #include "viewer/app.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/base/error.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/run/exploded.hpp"
@@ -308,8 +309,8 @@ void App::take_news() {
         survey_ = frames_.survey();
         surveyed_at_ = Clock::now();
         if (live_ == nullptr && survey_.n_frames() == model_.playback.n_frames())
-            spdlog::info("all {} frames were read after {:.2f} s", survey_.n_frames(),
-                         seconds_since(begin_));
+            spdlog::info("all of the run ({}) was read after {:.2f} s",
+                         counted(survey_.n_frames(), "frame"), seconds_since(begin_));
     }
     status_ = frames_.failure();
     if (status_.empty() && survey_.n_frames() < model_.playback.n_frames())

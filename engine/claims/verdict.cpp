@@ -1,5 +1,7 @@
 #include "engine/claims/verdict.hpp"
 
+#include "engine/base/counted.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -140,7 +142,7 @@ bool is_by_less_than_its_error(const Claim& claim, const Estimate& value) {
 
 /// "150 x 642, traction"; "1000 beads"
 std::string size_text(const MeasuredSetup& setup) {
-    return setup.n_nodes == 0 ? fmt::format("{} beads", setup.n_cells)
+    return setup.n_nodes == 0 ? counted(setup.n_cells, "bead")
                               : fmt::format("{} x {}, {}", setup.n_cells, setup.n_nodes, setup.law);
 }
 

@@ -1,5 +1,6 @@
 #include "engine/cli/bead_setup.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/stages/bead_packing.hpp"
@@ -70,9 +71,9 @@ Jammed read(const std::string& path, int n_beads, std::uint64_t seed) {
         const nlohmann::json document = nlohmann::json::parse(file);
         if (document.at("beads") != n_beads || document.at("seed") != seed)
             throw Error(Loc{path},
-                        fmt::format("these are {} beads of seed {}, wanted {} of seed {}",
-                                    document.at("beads").dump(), document.at("seed").dump(),
-                                    n_beads, seed),
+                        fmt::format("wanted {} of seed {}, got {} of seed {}",
+                                    counted(n_beads, "bead"), seed, document.at("beads").dump(),
+                                    document.at("seed").dump()),
                         "delete it, or choose another folder with -o");
         for (const NumberRow& row : k_numbers) jammed.*row.member = document.at(row.name);
         jammed.wall_s = document.at("wall_s");

@@ -1,5 +1,6 @@
 #include "engine/cli/contact_output.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/cli/report_output.hpp"
 
 #include <fmt/format.h>
@@ -258,8 +259,9 @@ std::string report_text(const inspect::ContactReport& report) {
          fmt::format("{}, P = {:.5g} kPa/um * overlap - {:.5g} kPa; largest deviation of a "
                      "pair {:.2g} kPa",
                      report.law, report.k_kPa_per_um, report.P0_kPa, report.largest_deviation_kPa));
-    text += fmt::format("\nsection along u = {} through the centre, {} of {} polygons:\n",
-                        vector_text(report.u), report.section.size(), report.map.size());
+    text +=
+        fmt::format("\nsection along u = {} through the centre, {} of {}:\n", vector_text(report.u),
+                    report.section.size(), counted(report.map.size(), "polygon"));
     return text + section_table(report).aligned_text();
 }
 

@@ -1,5 +1,6 @@
 #include "engine/cli/precision_text.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/cli/report_output.hpp"
 
 #include <fmt/format.h>
@@ -256,9 +257,10 @@ std::string notes_of(const reports::MeshLadder& ladder, int own_nodes) {
         ++(dominant == "mesh" ? mesh : dominant == "time" ? time : unknown);
     }
     std::string text =
-        fmt::format("at {} nodes with {}, {}: the mesh error dominates in {} measures, the time "
+        fmt::format("at {} nodes with {}, {}: the mesh error dominates in {}, the time "
                     "error in {}; {} not resolved\n",
-                    own_nodes, ladder.own.method->name, ladder.own.text(), mesh, time, unknown);
+                    own_nodes, ladder.own.method->name, ladder.own.text(), counted(mesh, "measure"),
+                    time, unknown);
     text += fmt::format("time error against {}; mesh error against the extrapolated value\n",
                         ladder.finer.text());
     if (ladder.met_time_limit) text += "the time limit came before everything was done\n";

@@ -1,5 +1,6 @@
 #include "engine/cli/report_output.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/reports/machine.hpp"
 
@@ -45,8 +46,8 @@ std::vector<std::string> report_comments(const CommonOptions& options,
                                          const Invocation& invocation) {
     const reports::Machine machine = reports::this_machine();
     return {"spheroscope " + invocation.version, "command: " + invocation.command_line,
-            fmt::format("machine: {}, {} cores, {} threads used", machine.processor, machine.cores,
-                        options.n_threads())};
+            fmt::format("machine: {}, {}, {} used", machine.processor,
+                        counted(machine.cores, "core"), counted(options.n_threads(), "thread"))};
 }
 
 nlohmann::json machine_json(const CommonOptions& options, const Invocation& invocation) {

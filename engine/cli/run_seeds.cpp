@@ -1,5 +1,6 @@
 #include "engine/cli/run_seeds.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/seed_means_text.hpp"
@@ -81,7 +82,7 @@ std::string text_of(const std::vector<SeedRun>& runs, std::size_t n_wanted) {
         if (!run.reason.empty()) text += fmt::format("  because: {}\n", run.reason);
     }
     const std::vector<Totals> totals = totals_of_ended(runs);
-    text += fmt::format("\n{} of {} seeds came to their end", totals.size(), n_wanted);
+    text += fmt::format("\n{} of {} came to the end", totals.size(), counted(n_wanted, "seed"));
     if (totals.empty()) return text + "\n";
     return text + "; mean +- standard error over them:\n" + seed_means_text(totals);
 }

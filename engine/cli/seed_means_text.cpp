@@ -1,5 +1,6 @@
 #include "engine/cli/seed_means_text.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/statistics/seed_mean.hpp"
 
@@ -27,9 +28,10 @@ std::string seed_means_text(std::span<const Totals> seeds) {
         const statistics::Estimate estimate = estimate_of(row, seeds);
         const std::string unit =
             row.unit == "1" || estimate.n == 0 ? "" : " " + std::string(row.unit);
-        const std::string some = estimate.n > 0 && estimate.n < static_cast<int>(seeds.size())
-                                     ? fmt::format(" ({} of {} seeds)", estimate.n, seeds.size())
-                                     : "";
+        const std::string some =
+            estimate.n > 0 && estimate.n < static_cast<int>(seeds.size())
+                ? fmt::format(" ({} of {})", estimate.n, counted(seeds.size(), "seed"))
+                : "";
         text += fmt::format("{:<20} {}{}{}\n", row.name,
                             with_error(estimate.mean, estimate.standard_error), unit, some);
     }

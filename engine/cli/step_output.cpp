@@ -1,5 +1,6 @@
 #include "engine/cli/step_output.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/reports/report_table.hpp"
 
@@ -20,9 +21,9 @@ std::string text_of(const StepAnatomy& anatomy, const StepAnatomy::Evaluation& e
         table.rows.push_back({term.name, term.before_nN, term.rms_nN, term.after_nN,
                               term.largest_nN, place(term.at)});
     std::string text = fmt::format(
-        "\nforces (RMS over nodes: sum before each term, the term, sum after it), {} pairs of "
+        "\nforces (RMS over nodes: sum before each term, the term, sum after it), {} of "
         "triangles in contact, nodes moved by up to {:.3g} um:\n{}",
-        evaluation.contact_pairs, evaluation.moved_um, table.aligned_text());
+        counted(evaluation.contact_pairs, "pair"), evaluation.moved_um, table.aligned_text());
     if (!anatomy.node) return text;
     ReportTable of_node{{{"term"}, {"x_nN"}, {"y_nN"}, {"z_nN"}, {"sum_after_nN"}}, {}};
     for (const StepAnatomy::Term& term : evaluation.terms)
@@ -35,10 +36,10 @@ std::string text_of(const StepAnatomy& anatomy, const StepAnatomy::Evaluation& e
 std::string text_of(const SolveHistory& solve) {
     if (solve.residual.empty()) return "\nfriction inverted directly\n";
     std::string text = fmt::format(
-        "\n{} solved in {} iterations{}; |F - A v| / |F|:\n",
+        "\n{} solved in {}{}; |F - A v| / |F|:\n",
         solve.dt_s > 0.0 ? fmt::format("(Gamma + dt K) v = F with dt = {:.4g} s", solve.dt_s)
                          : "Gamma v = F",
-        solve.residual.size() - 1, solve.converged ? "" : ", NOT converged");
+        counted(solve.residual.size() - 1, "iteration"), solve.converged ? "" : ", NOT converged");
     for (std::size_t k = 0; k < solve.residual.size(); ++k)
         text += fmt::format("{}{:.2e}", k % 8 == 0 ? (k == 0 ? "  " : "\n  ") : "  ",
                             solve.residual[k]);
@@ -58,10 +59,10 @@ std::string step_text(const StepAnatomy& anatomy) {
     // 0: the method compares with the velocity of the step before, which a file does not have.
     const std::string error = outcome.error_um > 0.0 ? fmt::format("{:.3g} um", outcome.error_um)
                                                      : std::string("not known");
-    text += fmt::format("\n{}: dt = {:.4g} s after {} longer attempt{}, estimated error {}, "
+    text += fmt::format("\n{}: dt = {:.4g} s after {}, estimated error {}, "
                         "largest motion {:.4g} um (node {})\n",
                         outcome.accepted ? "the step is good" : "the step fails", outcome.dt_s,
-                        outcome.rejected, outcome.rejected == 1 ? "" : "s", error,
+                        counted(outcome.rejected, "longer attempt"), error,
                         anatomy.largest_moved_um, place(anatomy.largest_moved));
     if (anatomy.node)
         text += fmt::format("node {} moves by {} um\n", place(*anatomy.node),

@@ -1,3 +1,4 @@
+#include "engine/base/counted.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/log.hpp"
@@ -181,8 +182,8 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
             break;
         }
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-        progress.update({fmt::format("{} cells, {} nodes, {} threads", sizes[k].cells,
-                                     sizes[k].nodes, sizes[k].threads),
+        progress.update({fmt::format("{}, {} nodes, {}", counted(sizes[k].cells, "cell"),
+                                     sizes[k].nodes, counted(sizes[k].threads, "thread")),
                          static_cast<double>(k) / static_cast<double>(sizes.size()), unknown,
                          unknown});
         std::optional<reports::BenchRow> row = reports::run_bench(sizes[k], options);

@@ -1,3 +1,4 @@
+#include "engine/base/counted.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/options.hpp"
 #include "engine/cli/verb.hpp"
@@ -114,13 +115,9 @@ std::string contact_choices(const scene::Scene& scene) {
 
 /// "scenes/a.toml: valid. A drop at rest: 1 cell, 642 nodes per cell, 1 stage"
 std::string summary(const scene::Scene& scene) {
-    const auto counted = [](std::size_t n, const char* thing) {
-        return fmt::format("{} {}{}", n, thing, n == 1 ? "" : "s");
-    };
     const std::optional<int> cells = n_cells(scene.cells);
     return fmt::format("{}: valid. {}: {}, {} nodes per cell, {}", scene.file, scene.title,
-                       cells ? counted(static_cast<std::size_t>(*cells), "cell")
-                             : "cells from " + scene.cells.file,
+                       cells ? counted(*cells, "cell") : "cells from " + scene.cells.file,
                        scene.cells.nodes, counted(scene.stages.size(), "stage"));
 }
 

@@ -1,3 +1,4 @@
+#include "engine/base/counted.hpp"
 #include "engine/cli/accuracy_text.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/options.hpp"
@@ -73,9 +74,10 @@ std::string describe_in_words(const RunFileReader& reader, const SnapshotPtr& la
     }
     if (!last) return text;
     text += fmt::format("last frame           t = {:.4g} s, {}\nsteps                {} ({} "
-                        "rejected), {} linear iterations\n",
+                        "rejected), {}\n",
                         last->time_s, last->stage_name, last->diagnostics.steps,
-                        last->diagnostics.rejected_steps, last->diagnostics.linear_iterations);
+                        last->diagnostics.rejected_steps,
+                        counted(last->diagnostics.linear_iterations, "linear iteration"));
     return text + totals_text(last->totals) + accuracy_text(reader.end().errors);
 }
 

@@ -1,5 +1,6 @@
 #include "engine/cli/verb_inspect.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/cli/contact_output.hpp"
 #include "engine/cli/frame_choice.hpp"
 #include "engine/cli/json_output.hpp"
@@ -126,7 +127,8 @@ void show_run(const InspectArguments& arguments, const RunFileReader& reader,
                        .csv_text());
         return;
     }
-    fmt::print("contact {} in {}, {} frames\n", story.key.text(), reader.path(), reader.n_frames());
+    fmt::print("contact {} in {}, {}\n", story.key.text(), reader.path(),
+               counted(reader.n_frames(), "frame"));
     if (arguments.history) fmt::print("{}", history_table(story.history).aligned_text());
     if (!arguments.events) return;
     if (story.events.empty())
@@ -231,8 +233,7 @@ void show_frame(const InspectArguments& arguments, const RunFileReader& reader,
     } else if (arguments.csv) {
         fmt::print("{}", contacts_table(contacts).csv_text());
     } else {
-        fmt::print("{}: {} contact{}\n", frame_text(reader, *frame), contacts.size(),
-                   contacts.size() == 1 ? "" : "s");
+        fmt::print("{}: {}\n", frame_text(reader, *frame), counted(contacts.size(), "contact"));
         if (!contacts.empty()) fmt::print("{}", contacts_table(contacts).aligned_text());
     }
 }
@@ -266,10 +267,9 @@ ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invoc
     const int frame = arguments.frame.number(reader);
     if (key) inspect::check_cells(*reader.header(), *key);
     if (!reader.is_complete())
-        spdlog::info("{}: the run has not come to its end ({}); these are the {} frames that are "
-                     "there",
-                     reader.path(), reader.outcome().empty() ? "not ended" : reader.outcome(),
-                     reader.n_frames());
+        spdlog::info("{}: the run has not come to its end ({}); it has {} so far", reader.path(),
+                     reader.outcome().empty() ? "not ended" : reader.outcome(),
+                     counted(reader.n_frames(), "frame"));
     const SnapshotPtr snapshot = reader.frame(frame);
     const bool is_whole_run = arguments.history || arguments.events;
     if (arguments.step) {

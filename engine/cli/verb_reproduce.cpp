@@ -1,3 +1,4 @@
+#include "engine/base/counted.hpp"
 #include "engine/claims/kept_report.hpp"
 #include "engine/claims/verdict.hpp"
 #include "engine/cli/bead_setup.hpp"
@@ -120,9 +121,8 @@ MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
                  claims::scene_mark(scene_of(table, setup, seed).resolved_toml)});
             if (run->outcome == "cap")
                 measured.remarks.push_back(fmt::format(
-                    "seed {} ended at its cap of time, not at rest: t = {:.0f} s, {} flipped "
-                    "triangles",
-                    seed, run->time_s, run->totals.n_flipped_triangles));
+                    "seed {} ended at its cap of time, not at rest: t = {:.0f} s, {}", seed,
+                    run->time_s, counted(run->totals.n_flipped_triangles, "flipped triangle")));
             for (const Expectation& row :
                  check_expectations(scene_of(table, setup, seed), run->totals))
                 if (!row.met)
@@ -201,7 +201,7 @@ std::vector<std::string> remarks_on(const MeasuredSetups& measured) {
         n_runs += setup.runs.size();
         n_failed += setup.troubles.size();
     }
-    remarks.push_back(fmt::format("{} runs, {} of wall time in all; {} failed", n_runs,
+    remarks.push_back(fmt::format("{}, {} of wall time in all; {} failed", counted(n_runs, "run"),
                                   duration_text(wall_s), n_failed));
     return remarks;
 }

@@ -1,3 +1,4 @@
+#include "engine/base/counted.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/log.hpp"
@@ -116,8 +117,8 @@ std::string notes_of(const std::vector<reports::StabilityRow>& rows) {
             text += fmt::format("NOT MET  {} {} {}: {}\n", row.scene, row.variant, row.method->name,
                                 failure);
     }
-    return text + fmt::format("{} of {} expectations met, {} not run\n", n_met, rows.size(),
-                              rows.size() - n_run);
+    return text + fmt::format("{} of {} met, {} not run\n", n_met,
+                              counted(rows.size(), "expectation"), rows.size() - n_run);
 }
 
 /// The steps at which explicit methods blow up, beside the program's own estimates.

@@ -1,5 +1,6 @@
 #include "engine/inspect/inspect_contact.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/base/index.hpp"
 #include "engine/contact/triangle_pair.hpp"
 #include "engine/forces/contact_variational.hpp"
@@ -282,7 +283,7 @@ void check_cells(const RunHeader& header, const ContactKey& key) {
     for (const int cell : {key.cell_a, key.cell_b})
         if (cell < 0 || cell >= header.n_cells)
             throw Error("there is no cell " + std::to_string(cell),
-                        "the run has " + std::to_string(header.n_cells) + " cells, counted from 0");
+                        "the run has " + counted(header.n_cells, "cell") + ", counted from 0");
 }
 
 std::vector<ContactSummary> contacts_of(const FrameSystem& frame) {

@@ -1,4 +1,5 @@
 // Every force on one node, term by term, and the velocity with which friction balances them.
+#include "engine/base/counted.hpp"
 #include "engine/base/index.hpp"
 #include "engine/forces/contact_variational.hpp"
 #include "engine/friction/cortex_viscosity.hpp"
@@ -70,7 +71,7 @@ NodeForces forces_on_node(FrameSystem& frame, int cell, int node) {
     const Model& model = system.model();
     if (cell < 0 || cell >= model.n_cells())
         throw Error("there is no cell " + std::to_string(cell),
-                    "the run has " + std::to_string(model.n_cells()) + " cells, counted from 0");
+                    "the run has " + counted(model.n_cells(), "cell") + ", counted from 0");
     if (node < 0 || node >= model.n_nodes())
         throw Error("there is no node " + std::to_string(node),
                     "a cell has " + std::to_string(model.n_nodes()) + " nodes in this frame, " +

@@ -1,5 +1,6 @@
 #include "engine/reports/csv_table.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/base/error.hpp"
 
 #include <fmt/format.h>
@@ -78,8 +79,9 @@ CsvTable::CsvTable(const std::string& path) : path_(path) {
             continue;
         }
         if (fields.size() != columns_.size())
-            throw Error(Loc{path, line_of_row, 1},
-                        fmt::format("wanted {} fields, got {}", columns_.size(), fields.size()));
+            throw Error(
+                Loc{path, line_of_row, 1},
+                fmt::format("wanted {}, got {}", counted(columns_.size(), "field"), fields.size()));
         rows_.push_back(std::move(fields));
         line_.push_back(line_of_row);
     }

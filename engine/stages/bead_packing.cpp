@@ -1,5 +1,6 @@
 #include "engine/stages/bead_packing.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/random.hpp"
 
@@ -216,10 +217,10 @@ PackingOutcome BeadPacking::outcome() const {
                                      100.0 * progress());
     } else if (!(outcome.largest_force < parameters_.force_tolerance)) {
         outcome.verdict = PackingVerdict::unbalanced;
-        outcome.reason =
-            fmt::format("after {} descent steps a bead still feels {:.3g} k_max R, wanted {:.3g}; "
-                        "allow more steps or another seed",
-                        state_.descent_step, outcome.largest_force, parameters_.force_tolerance);
+        outcome.reason = fmt::format("after {} a bead still feels {:.3g} k_max R, wanted {:.3g}; "
+                                     "allow more steps or another seed",
+                                     counted(state_.descent_step, "descent step"),
+                                     outcome.largest_force, parameters_.force_tolerance);
     } else if (outcome.mean_overlap > parameters_.accepted_overlap) {
         outcome.verdict = PackingVerdict::overlapping;
         outcome.reason =
@@ -238,9 +239,9 @@ void BeadPacking::restore(const BeadPackingState& state) {
     // FIRE has no memory before the descent begins.
     const std::size_t n_velocities = state.phase == PackingPhase::annealing ? 0 : n;
     if (state.x.size() != n || state.fire.velocity.size() != n_velocities) {
-        throw Error(fmt::format("the saved packing holds {} beads and {} velocities, wanted {} and "
-                                "{}",
-                                state.x.size(), state.fire.velocity.size(), n, n_velocities),
+        throw Error(fmt::format("the saved packing wants {} with {} of them moving, got {} with {}",
+                                counted(n, "bead"), n_velocities, state.x.size(),
+                                state.fire.velocity.size()),
                     "resume with the scene that the checkpoint was made from");
     }
     state_ = state;

@@ -1,3 +1,4 @@
+#include "engine/base/counted.hpp"
 #include "engine/base/error.hpp"
 #include "engine/store/hdf5_file.hpp"
 #include "engine/store/run_file.hpp"
@@ -126,9 +127,10 @@ RunFileReader::RunFileReader(std::string path) : path_(std::move(path)) {
 
 double RunFileReader::time(int frame) const {
     if (frame < 0 || frame >= n_frames())
-        throw Error(Loc{path_},
-                    fmt::format("wanted frame {}, got a run of {} frames", frame, n_frames()),
-                    "frames are counted from 0");
+        throw Error(
+            Loc{path_},
+            fmt::format("wanted frame {}, got a run of {}", frame, counted(n_frames(), "frame")),
+            "frames are counted from 0");
     return time_s_[static_cast<std::size_t>(frame)];
 }
 

@@ -1,3 +1,4 @@
+#include "engine/base/counted.hpp"
 #include "engine/base/error.hpp"
 #include "engine/store/hdf5_file.hpp"
 #include "engine/store/run_file.hpp"
@@ -146,7 +147,7 @@ std::string difference(const RunHeader& stored, const RunHeader& wanted) {
     if (stored.seed != wanted.seed)
         return fmt::format("seed {}, got seed {}", wanted.seed, stored.seed);
     if (stored.n_cells != wanted.n_cells)
-        return fmt::format("{} cells, got {}", wanted.n_cells, stored.n_cells);
+        return fmt::format("{}, got {}", counted(wanted.n_cells, "cell"), stored.n_cells);
     if (stored.topology->triangles != wanted.topology->triangles)
         return fmt::format("the mesh with {} nodes, got one with {}", wanted.topology->n_nodes(),
                            stored.topology->n_nodes());
@@ -194,8 +195,8 @@ RunFileWriter RunFileWriter::append(const std::string& path, const RunHeader& he
     const auto kept = static_cast<std::uint64_t>(n_frames);
     const std::uint64_t stored = file->shape("/time").at(0);
     if (kept > stored)
-        file->fail(fmt::format("wanted a file with at least {} frames to continue, got {}",
-                               n_frames, stored));
+        file->fail(fmt::format("wanted a file with at least {} to continue, got {}",
+                               counted(n_frames, "frame"), stored));
     for (const run_format::Column& column : run_format::columns())
         if (!file->exists(run_format::column_path(column)))
             file->fail(fmt::format("this file cannot be continued: it has no {}, another version "

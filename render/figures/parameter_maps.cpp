@@ -1,4 +1,5 @@
 // Fig. 7: measures over gamma/omega and Et/omega, on the paper's broad grid and on its refined one.
+#include "engine/base/counted.hpp"
 #include "render/figures/parts.hpp"
 
 #include <fmt/format.h>
@@ -155,8 +156,8 @@ std::string objection(Setups setups) {
             fmt::format("N = {}, {} nodes, {}, {}", s.n_cells, s.n_nodes, s.law, s.omega_reading));
     }
     if (gamma.size() < 2 || Et.size() < 2)
-        return fmt::format("the runs have {} values of γ/ω and {} of Et/ω: a map wants two of each",
-                           gamma.size(), Et.size());
+        return fmt::format("the runs have {} of γ/ω and {} of Et/ω: a map wants two of each",
+                           counted(gamma.size(), "value"), Et.size());
     if (others.size() > 1)
         return fmt::format("the runs differ in more than γ/ω and Et/ω ({}): give those of one map",
                            fmt::join(others, "; "));

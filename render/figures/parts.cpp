@@ -1,5 +1,7 @@
 #include "render/figures/parts.hpp"
 
+#include "engine/base/counted.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -152,9 +154,10 @@ void finish(Figure& figure, Setups setups, const std::string& title) {
         errors = most < 2 ? " One seed each: no error bars."
                           : " Error bars: standard error over seeds, where larger than the mark.";
     if (most > 1 && fewest < 2) errors += " One seed has none.";
-    figure.plot.caption.push_back(fmt::format("{} runs of {} setups at their end (stage: {}).{}",
-                                              n_runs, setups.size(), fmt::join(stages, ", "),
-                                              errors));
+    figure.plot.caption.push_back(
+        fmt::format("{} of {} at {} end (stage: {}).{}", counted(n_runs, "run"),
+                    counted(setups.size(), "setup"), n_runs == 1 ? "its" : "their",
+                    fmt::join(stages, ", "), errors));
 }
 
 }  // namespace spheroscope::figures

@@ -1,4 +1,5 @@
 // What is said below every figure about its runs.
+#include "engine/base/counted.hpp"
 #include "render/figures/figure.hpp"
 
 #include <fmt/format.h>
@@ -32,9 +33,8 @@ std::vector<std::string> remarks_on_runs(Setups setups) {
     }
     for (const statistics::SetupStatistics& setup : setups)
         if (setup.runs.size() < most)
-            remarks.push_back(fmt::format("{} has {} seed{}, others have {}", setup.label,
-                                          setup.runs.size(), setup.runs.size() == 1 ? "" : "s",
-                                          most));
+            remarks.push_back(fmt::format("{} has {}, others have {}", setup.label,
+                                          counted(setup.runs.size(), "seed"), most));
     if (versions.size() > 1)
         remarks.push_back(fmt::format("runs of several versions: {}", fmt::join(versions, ", ")));
     return remarks;

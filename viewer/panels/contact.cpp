@@ -1,5 +1,6 @@
 // The contact that is open: its numbers in the frame on show, and its events.
 
+#include "engine/base/counted.hpp"
 #include "engine/inspect/contact_history.hpp"
 #include "viewer/panels/panel.hpp"
 
@@ -35,7 +36,7 @@ void draw_events(PanelContext& panel) {
         return;
     }
     ImGui::TextDisabled("%s",
-                        fmt::format("{} events; one leads to its frame", events.size()).c_str());
+                        (counted(events.size(), "event") + "; a click leads to its frame").c_str());
     for (const inspect::ContactEvent& event : events) {
         const bool is_shown = event.frame == panel.model.playback.frame();
         const std::string text =
@@ -63,8 +64,9 @@ void draw_contact(PanelContext& panel) {
     if (!contact || panel.contact_history == nullptr) return;
     const std::vector<inspect::ContactSummary>& history = *panel.contact_history;
     ImGui::SameLine();
-    ImGui::TextDisabled("%s",
-                        fmt::format("{}, {} frames read", contact->text(), history.size()).c_str());
+    ImGui::TextDisabled(
+        "%s",
+        fmt::format("{}, {} read", contact->text(), counted(history.size(), "frame")).c_str());
     const int frame = panel.snapshot == nullptr ? -1 : panel.snapshot->frame;
     const auto row = std::find_if(history.begin(), history.end(),
                                   [&](const auto& summary) { return summary.frame == frame; });

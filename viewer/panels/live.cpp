@@ -1,6 +1,7 @@
 // The running engine: pause, single steps, on to the next event, and parameters that change with
 // the next step.
 
+#include "engine/base/counted.hpp"
 #include "viewer/live_run.hpp"
 #include "viewer/panels/panel.hpp"
 
@@ -78,10 +79,10 @@ void draw_live(PanelContext& panel) {
             change_parameter(live, state, row, row.get(now)[0]);
     const std::vector<Change> changes = channel.changes();
     if (!changes.empty())
-        ImGui::TextDisabled("%s", fmt::format("{} change{} so far, the last at t = {:.4g} s",
-                                              changes.size(), changes.size() == 1 ? "" : "s",
-                                              changes.back().time_s)
-                                      .c_str());
+        ImGui::TextDisabled("%s",
+                            fmt::format("{} so far, the last at t = {:.4g} s",
+                                        counted(changes.size(), "change"), changes.back().time_s)
+                                .c_str());
 }
 
 }  // namespace spheroscope::viewer
