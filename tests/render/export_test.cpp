@@ -6,13 +6,16 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFeatureEdges.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataNormals.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace spheroscope::render {
@@ -64,6 +67,44 @@ TEST(Export, VtkReadsEveryNodeTriangleAndFieldBack) {
     expect_values(on_triangles->GetArray("pressure (kPa)"), snapshot->pressure_kPa, n_triangles);
     expect_values(on_triangles->GetArray("cell"), {0, 1, 2, 3}, n_triangles);
     EXPECT_EQ(data->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0), 12.4);
+}
+
+TEST(Export, EveryCellIsAClosedSurfaceWhoseTrianglesAndNormalsFaceOutward) {
+    const auto snapshot = synthetic::make_aggregate(13, 162);
+    const vtkNew<vtkPolyData> data = read(surfaces_vtp(*snapshot));
+    // By VTK's own rules: no edge has one triangle or three, and each cell's volume is above zero.
+    vtkNew<vtkFeatureEdges> open_edges;
+    open_edges->SetInputData(data);
+    open_edges->FeatureEdgesOff();
+    open_edges->Update();
+    EXPECT_EQ(open_edges->GetOutput()->GetNumberOfCells(), 0);
+    vtkNew<vtkPolyDataNormals> oriented;  // turns triangles over until all face outward
+    oriented->SetInputData(data);
+    oriented->SplittingOff();
+    oriented->ConsistencyOn();
+    oriented->AutoOrientNormalsOn();
+    oriented->Update();
+    vtkDataArray* const stored = data->GetPointData()->GetNormals();
+    vtkDataArray* const outward = oriented->GetOutput()->GetPointData()->GetNormals();
+    ASSERT_EQ(outward->GetNumberOfTuples(), stored->GetNumberOfTuples());
+    double least = 1.0;
+    for (vtkIdType i = 0; i < stored->GetNumberOfTuples(); ++i) {
+        double product = 0.0;
+        for (int k = 0; k < 3; ++k)
+            product += stored->GetComponent(i, k) * outward->GetComponent(i, k);
+        least = std::min(least, product);
+    }
+    EXPECT_GT(least, 0.8) << "node normals, averaged in two ways";
+    vtkNew<vtkIdList> as_stored, as_oriented;
+    int n_turned = 0;
+    for (vtkIdType t = 0; t < data->GetNumberOfPolys(); ++t) {
+        data->GetCellPoints(t, as_stored);
+        oriented->GetOutput()->GetCellPoints(t, as_oriented);
+        for (vtkIdType k = 0; k < 3; ++k)
+            if (as_stored->GetId(k) == as_oriented->GetId(0))
+                n_turned += as_stored->GetId((k + 1) % 3) != as_oriented->GetId(1);
+    }
+    EXPECT_EQ(n_turned, 0);
 }
 
 TEST(Export, VtkReadsTheNetworkBack) {
