@@ -1,5 +1,6 @@
 // Every run says how wrong its end is: in the summary, with --json, and in its file.
 #include "tests/cli/program_runner.hpp"
+#include "tests/scene/case_a_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -17,23 +18,8 @@ title = "Two cells that touch"
 arrangement = "centres"
 nodes = 162
 centres = [[0, 0, "-9.15 um", "9 um"], [0, 0, "9.15 um", "9 um"]]
-[cortex.elastic]
-E = "20 kPa"
-[cortex.tension]
-gamma = "0.5 nN/um"
-[cortex.viscosity]
-eta = "1 kPa s"
-[cytosol]
-K = "5 kPa"
-[medium]
-[contact]
-law = "traction"
-[contact.adhesion]
-omega = "0.5 nN/um"
-[contact.friction]
-normal = "0.05 kPa s/um"
-tangential = "0.05 kPa s/um"
-[[stage]]
+)" + k_case_a_cell + case_a_contact() +
+                              R"([[stage]]
 kind = "relax"
 duration = "0.2 s"
 every = "0.05 s"

@@ -1,6 +1,6 @@
 // The verbs that print reports, as a script sees them.
 #include "tests/cli/program_runner.hpp"
-#include "tests/cli/stretched_cell.hpp"
+#include "tests/reports/stretched_cell.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +9,8 @@
 
 namespace spheroscope {
 namespace {
+
+const std::string k_stretched_cell = stretched_cell_text("0.032 s", "dt = \"4 ms\"\n");
 
 class ReportVerbs : public EngineRunner {
   protected:

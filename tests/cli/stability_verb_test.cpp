@@ -1,6 +1,6 @@
 // `stability` and `bench`, as a script sees them.
 #include "tests/cli/program_runner.hpp"
-#include "tests/cli/stretched_cell.hpp"
+#include "tests/reports/stretched_cell.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -8,7 +8,7 @@ namespace spheroscope {
 namespace {
 
 /// What every method brings to its end.
-const std::string k_scene = k_stretched_cell + R"([expect]
+const std::string k_scene = stretched_cell_text("0.032 s", "dt = \"4 ms\"\n") + R"([expect]
 volume_error = { max = 0.1 }
 [stability.all]
 outcome = "ends"
@@ -67,7 +67,7 @@ TEST_F(StabilityVerb, EndsWithFourWhenTheReasonNamesSomethingElse) {
 }
 
 TEST_F(StabilityVerb, AStopThatWasExpectedIsMetAndALaterOneThanAllowedIsNot) {
-    std::string scene = with(k_scene, "E = 20", "E = 2000");
+    std::string scene = with(k_scene, "20 kPa", "2000 kPa");
     scene = with(scene, "cortex.elastic.E=20\"", "cortex.elastic.E=2000\"");
     scene = with(scene, "dt = \"4 ms\"", "dt = \"30 ms\"");
     scene = with(scene, "[stability.all]",

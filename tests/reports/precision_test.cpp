@@ -1,4 +1,5 @@
 #include "engine/reports/mesh_ladder.hpp"
+#include "tests/reports/stretched_cell.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,31 +8,10 @@
 namespace spheroscope::reports {
 namespace {
 
-/// One cell of 42 nodes that comes back from a stretch: smooth, so orders show.
 scene::Scene stretched_cell() {
-    return scene::parse_scene(R"(
-[cells]
-arrangement = "single"
-nodes = 42
-radius = 9
-[start]
-stretch = [1.05, 0.98, 0.97]
-[cortex.elastic]
-E = 20
-[cortex.tension]
-gamma = 0.5
-[cortex.viscosity]
-eta = 1
-[cytosol]
-[medium]
-[method]
-dt = "2 ms"
-linear_tolerance = 1e-9
-[[stage]]
-kind = "relax"
-duration = "0.064 s"
-)",
-                              "stretched.toml");
+    return scene::parse_scene(
+        stretched_cell_text("0.064 s", "dt = \"2 ms\"\nlinear_tolerance = 1e-9\n"),
+        "stretched.toml");
 }
 
 TEST(Precision, ErrorsOfFixedStepsFallWithTheDeclaredOrderOfTheMethod) {
@@ -89,31 +69,18 @@ TEST(Precision, AReferenceThatIsTooCoarseHidesWhatItCannotTell) {
     EXPECT_GT(n_hidden, 0);
 }
 
-/// Two cells that stick together.
-scene::Scene doublet(const std::string& contact) {
+/// Two cells that stick together; `law_keys` are lines of [contact].
+scene::Scene doublet(const std::string& law_keys) {
     return scene::parse_scene(R"([cells]
 arrangement = "centres"
 nodes = 42
 centres = [[0, 0, -8.9, 9], [0, 0, 8.9, 9]]
-[cortex.elastic]
-E = 20
-[cortex.tension]
-gamma = 0.5
-[cortex.viscosity]
-eta = 1
-[cytosol]
-[medium]
-[method]
+)" + k_case_a_cell + case_a_contact(law_keys) +
+                                  R"([method]
 dt = "4 ms"
 [[stage]]
 kind = "relax"
 duration = "0.064 s"
-[contact]
-)" + contact + R"([contact.adhesion]
-omega = 0.5
-[contact.friction]
-normal = 0.05
-tangential = 0.05
 )",
                               "doublet.toml");
 }

@@ -1,4 +1,5 @@
 #include "engine/reports/stability.hpp"
+#include "tests/reports/stretched_cell.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,28 +8,13 @@
 namespace spheroscope::reports {
 namespace {
 
-constexpr const char* k_drop = R"([cells]
-arrangement = "single"
-nodes = 42
-radius = 9
-[start]
-stretch = [1.05, 0.98, 0.97]
-[cortex.tension]
-gamma = 0.5
-[cortex.viscosity]
-eta = 1
-[cytosol]
-[medium]
-[[stage]]
-kind = "relax"
-duration = "2.5 s"
-[expect]
+const std::string k_scene = stretched_cell_text("2.5 s") + R"([expect]
 n_flipped_triangles = { max = 0 }
 volume_error = { max = 0.1 }
 )";
 
 TEST(Stability, ATriangleThatHasFlippedAndComeBackIsNotForgotten) {
-    const scene::Scene scene = scene::parse_scene(k_drop, "drop.toml");
+    const scene::Scene scene = scene::parse_scene(k_scene, "stretched.toml");
     MeasuredRun run;
     run.end.totals.n_flipped_triangles = 0;
     for (const Expectation& measure : check_expectations(scene, run)) EXPECT_TRUE(measure.met);
@@ -42,9 +28,9 @@ TEST(Stability, ATriangleThatHasFlippedAndComeBackIsNotForgotten) {
 }
 
 TEST(Stability, LooksAtMethodsThatMoveInTimeEverySecondWithoutChangingTheirSteps) {
-    const std::string text = std::string(k_drop) + "[stability.all]\noutcome = \"ends\"\n";
-    const scene::Scene scene = scene::parse_scene(text, "drop.toml");
-    const std::string file = testing::TempDir() + "/drop_of_stability.toml";
+    const std::string text = k_scene + "[stability.all]\noutcome = \"ends\"\n";
+    const scene::Scene scene = scene::parse_scene(text, "stretched.toml");
+    const std::string file = testing::TempDir() + "/cell_of_stability.toml";
     std::FILE* out = std::fopen(file.c_str(), "w");
     ASSERT_NE(out, nullptr);
     std::fputs(text.c_str(), out);
