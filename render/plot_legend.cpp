@@ -20,11 +20,22 @@ namespace {
 constexpr int k_legend_size = 14;
 constexpr double k_swatch_px = 30.0, k_between_names_px = 26.0;
 
-/// Where the legend stands inside a panel.
+/// From a legend inside a panel to the panel's edges: letters of its title reach below the upper
+/// one.
+constexpr double k_inside_px = 8.0;
+
+/// Where the legend stands inside a panel: its lower left corner in the scene, px.
 struct LegendPlace {
     vtkChartXY* chart = nullptr;
-    int horizontal = vtkChartLegend::RIGHT, vertical = vtkChartLegend::TOP;
+    double x = 0.0, y = 0.0;
 };
+
+/// The begin of `size` at one end of a side of a panel, at the other, or in the middle.
+double legend_begin(int alignment, double low, double high, double size) {
+    if (alignment == vtkChartLegend::CENTER) return 0.5 * (low + high - size);
+    const bool is_high = alignment == vtkChartLegend::RIGHT || alignment == vtkChartLegend::TOP;
+    return is_high ? high - k_inside_px - size : low + k_inside_px;
+}
 
 /// The line and the mark of a name, as the panels have them.
 void paint_swatch(vtkContext2D& painter, const PlotStyles& styles, const std::string& name,
@@ -47,16 +58,9 @@ double hidden_by(const LegendPlace& place, const reports::Plot::Panel& panel, co
                  double width, double height) {
     constexpr double marker_px = 6.0;
     constexpr int n_samples = 16;  // of a line between two points
-    const auto begin = [](int alignment, double low, double high, double size) {
-        if (alignment == vtkChartLegend::CENTER) return 0.5 * (low + high - size);
-        const bool is_high = alignment == vtkChartLegend::RIGHT || alignment == vtkChartLegend::TOP;
-        return is_high ? high - size : low;
-    };
-    const double x0 = begin(place.horizontal, area.left(), area.right(), width);
-    const double y0 = begin(place.vertical, area.bottom(), area.top(), height);
     const auto hides = [&](double x, double y) {
-        return x > x0 - marker_px && x < x0 + width + marker_px && y > y0 - marker_px &&
-               y < y0 + height + marker_px;
+        return x > place.x - marker_px && x < place.x + width + marker_px &&
+               y > place.y - marker_px && y < place.y + height + marker_px;
     };
     double hidden = 0.0;
     for (const reports::Plot::Series& series : panel.series)
@@ -97,7 +101,10 @@ LegendPlace free_place(const reports::Plot& plot, const std::vector<PlotArea>& a
              {vtkChartLegend::TOP, vtkChartLegend::BOTTOM, vtkChartLegend::CENTER})
             for (const int horizontal :
                  {vtkChartLegend::RIGHT, vtkChartLegend::LEFT, vtkChartLegend::CENTER}) {
-                const LegendPlace place{areas[p].chart, horizontal, vertical};
+                const LegendPlace place{
+                    areas[p].chart,
+                    legend_begin(horizontal, areas[p].left(), areas[p].right(), width),
+                    legend_begin(vertical, areas[p].bottom(), areas[p].top(), height)};
                 const double hidden =
                     missing + hidden_by(place, plot.panels[p], areas[p], width, height);
                 if (hidden >= least) continue;
@@ -140,8 +147,9 @@ void show_legend_inside(const reports::Plot& plot, const std::vector<PlotArea>& 
     place.chart->SetShowLegend(true);
     vtkChartLegend* const legend = place.chart->GetLegend();
     set_font(legend->GetLabelProperties(), k_legend_size);
-    legend->SetHorizontalAlignment(place.horizontal);
-    legend->SetVerticalAlignment(place.vertical);
+    legend->SetHorizontalAlignment(vtkChartLegend::CUSTOM);
+    legend->SetVerticalAlignment(vtkChartLegend::CUSTOM);
+    legend->SetPoint({static_cast<float>(place.x), static_cast<float>(place.y)});
 }
 
 }  // namespace spheroscope::render

@@ -24,7 +24,8 @@ struct LegendRows {
 };
 
 /// Shows the legend inside the panel and at the corner or side where it hides least, preferably in
-/// the upper right corner of the first. Precondition: the panels were drawn once.
+/// the upper right corner of the first, clear of the panel's edges and so of its title.
+/// Precondition: the panels were drawn once.
 void show_legend_inside(const reports::Plot& plot, const std::vector<PlotArea>& areas,
                         const PlotStyles& styles, TextPainter& text);
 

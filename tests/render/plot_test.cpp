@@ -239,6 +239,33 @@ TEST(Plot, ItsLegendStandsWhereItHidesNoPoint) {
     EXPECT_GT(inside, orange() - 220.0) << "all 21 marks are seen";
 }
 
+TEST(Plot, ItsLegendInsideKeepsClearOfThePanelsTitle) {
+    reports::Plot plot = two_panels();
+    plot.panels.resize(1);
+    plot.panels[0].title = "gypsy pig";  // letters that reach below their line
+    plot.panels[0].series = {{"one", {1, 2, 4}, {0.02, 0.02, 0.02}}};
+    plot.panels[0].title += std::string(40, 'g');  // above all corners
+    const TemporaryFolder folder;
+    const auto png = folder.path() / "plot.png", svg = folder.path() / "plot.svg";
+    draw_plot(plot, png, svg);
+    const Image image = read_png(png).image;
+    // The legend's frame is black, as no other line of that length is but the axes below it.
+    int legend_top = 0;
+    for (int y = 0, longest = 0; y < image.height && longest < 50; ++y) {
+        legend_top = y;
+        for (int x = 0, length = 0; x < image.width; ++x) {
+            const Rgb p = image.at(x, y);
+            length = p.r + p.g + p.b < 30 ? length + 1 : 0;
+            longest = std::max(longest, length);
+        }
+    }
+    const auto titles = places_of(svg, "gypsy");
+    ASSERT_EQ(titles.size(), 1U);
+    constexpr double descent = 0.24 * 18.0;  // of DejaVu Sans in the size of a panel's title
+    EXPECT_GT(legend_top, titles[0][1] + descent + 2.0);
+    EXPECT_LT(legend_top, 200) << "it is the legend's";
+}
+
 TEST(Axis, ThatIsLogarithmicHasTwoLabelsOrMoreHoweverShort) {
     reports::Plot::Axis axis;
     for (const double low : {0.0017, 0.31, 1.0, 1.9, 4.0, 60.0})
