@@ -89,7 +89,7 @@ TEST_F(ImplicitSystem, HasTheDiagonalBlocksOfItsProduct) {
     const VelocitySystem matrix = system.velocity_system(dt_s, {});
     const MatrixXd whole = reference::dense_product(matrix, system.workers());
     for (int cell = 0; cell < 2; ++cell) {
-        const std::span<const double> drag = cells.model.cell_nodes(matrix.drag, cell);
+        const std::span<const double> drag = cells.model.cell_nodes(matrix.drag_nN_s_per_um, cell);
         std::vector<Mat3> blocks;
         for (const double d : drag) blocks.emplace_back(d * Mat3::Identity());
         matrix.cells[static_cast<std::size_t>(cell)].add_diagonal(blocks);
