@@ -1,57 +1,22 @@
 #include "render/layers/cell_surfaces.hpp"
 
 #include "engine/base/error.hpp"
+#include "render/layers/coloured_mesh.hpp"
 
-#include <vtkActor.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkFloatArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 
 namespace spheroscope::render {
 
-struct CellSurfaces::Hidden {
+struct CellSurfaces::Hidden : ColouredMesh {
     std::vector<int> cells;  // drawn last time
-    vtkNew<vtkFloatArray> x_um, normal;
-    vtkNew<vtkUnsignedCharArray> colour;
-    vtkNew<vtkTypeInt32Array> corners, corner_begin;
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> triangles;
-    vtkNew<vtkPolyData> mesh;
-    vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
 
     void connect(const MeshTopology& topology);
 };
 
 CellSurfaces::CellSurfaces() : hidden_(std::make_unique<Hidden>()) {
-    Hidden& h = *hidden_;
-    h.x_um->SetNumberOfComponents(3);
-    h.normal->SetNumberOfComponents(3);
-    h.colour->SetNumberOfComponents(3);
-    h.points->SetData(h.x_um);
-    h.mesh->SetPoints(h.points);
-    h.mesh->GetPointData()->SetNormals(h.normal);
-    h.mapper->SetInputData(h.mesh);
-    h.mapper->SetColorModeToDirectScalars();
-    h.actor->SetMapper(h.mapper);
-    // Shading shows the shape and must not be taken for stress: much ambient light, no highlights.
-    h.actor->GetProperty()->SetAmbient(0.40);
-    h.actor->GetProperty()->SetDiffuse(0.60);
-    h.actor->GetProperty()->SetSpecular(0.0);
-    h.actor->GetProperty()->SetInterpolationToPhong();
-    // Surfaces are closed and wound outward: the inner side is never seen, and half the work is
-    // saved.
-    h.actor->GetProperty()->BackfaceCullingOn();
+    hidden_->actor->GetProperty()->SetInterpolationToPhong();
 }
 
 CellSurfaces::~CellSurfaces() = default;
@@ -64,14 +29,11 @@ void CellSurfaces::Hidden::connect(const MeshTopology& topology) {
     x_um->SetNumberOfTuples(n_cells * topology.n_nodes());
     normal->SetNumberOfTuples(n_cells * topology.n_nodes());
     corners->SetNumberOfValues(3 * n_cells * n_triangles);
-    corner_begin->SetNumberOfValues(n_cells * n_triangles + 1);
     int* corner = corners->GetPointer(0);
     for (int c = 0; c < n_cells; ++c)
         for (const MeshTopology::Triangle& triangle : topology.triangles)
             for (const int node : triangle) *corner++ = c * topology.n_nodes() + node;
-    for (int i = 0; i <= n_cells * n_triangles; ++i) corner_begin->SetValue(i, 3 * i);
-    triangles->SetData(corner_begin, corners);
-    mesh->SetPolys(triangles);
+    connect_corners();
 }
 
 void CellSurfaces::update(const Snapshot& snapshot, std::span<const int> cells, Place place,
@@ -116,11 +78,7 @@ void CellSurfaces::update(const Snapshot& snapshot, std::span<const int> cells, 
         h.mapper->SetScalarModeToUseCellData();
     else
         h.mapper->SetScalarModeToUsePointData();
-    h.x_um->Modified();
-    h.normal->Modified();
-    h.colour->Modified();
-    h.points->Modified();
-    h.mesh->Modified();
+    h.mark_changed();
 }
 
 }  // namespace spheroscope::render

@@ -1,18 +1,7 @@
 #include "render/layers/tubes.hpp"
 
 #include "engine/model/mesh_topology.hpp"
-
-#include <vtkActor.h>
-#include <vtkCellArray.h>
-#include <vtkFloatArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkUnsignedCharArray.h>
+#include "render/layers/coloured_mesh.hpp"
 
 #include <array>
 #include <cmath>
@@ -26,16 +15,8 @@ constexpr int k_n_sides = 16;  // of a tube's cross-section
 
 }  // namespace
 
-struct Tubes::Hidden {
+struct Tubes::Hidden : ColouredMesh {
     std::shared_ptr<const MeshTopology> ball = make_icosphere(162);
-    vtkNew<vtkFloatArray> x_um, normal;
-    vtkNew<vtkUnsignedCharArray> colour;
-    vtkNew<vtkTypeInt32Array> corners, corner_begin;
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> triangles;
-    vtkNew<vtkPolyData> mesh;
-    vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
 
     [[nodiscard]] int n_nodes() const { return static_cast<int>(x_um->GetNumberOfTuples()); }
     void add_node(const Vec3& x, const Vec3& n, Rgb c) {
@@ -62,21 +43,7 @@ struct Tubes::Hidden {
 };
 
 Tubes::Tubes() : hidden_(std::make_unique<Hidden>()) {
-    Hidden& h = *hidden_;
-    h.x_um->SetNumberOfComponents(3);
-    h.normal->SetNumberOfComponents(3);
-    h.colour->SetNumberOfComponents(3);
-    h.points->SetData(h.x_um);
-    h.mesh->SetPoints(h.points);
-    h.mesh->GetPointData()->SetNormals(h.normal);
-    h.mesh->GetPointData()->SetScalars(h.colour);
-    h.mapper->SetInputData(h.mesh);
-    h.mapper->SetColorModeToDirectScalars();
-    h.actor->SetMapper(h.mapper);
-    h.actor->GetProperty()->SetAmbient(0.40);
-    h.actor->GetProperty()->SetDiffuse(0.60);
-    h.actor->GetProperty()->SetSpecular(0.0);
-    h.actor->GetProperty()->BackfaceCullingOn();
+    hidden_->mesh->GetPointData()->SetScalars(hidden_->colour);
 }
 
 Tubes::~Tubes() = default;
@@ -127,17 +94,8 @@ void Tubes::add_rod(const Vec3& from, const Vec3& to, double radius_um, Rgb colo
 
 void Tubes::finish() {
     Hidden& h = *hidden_;
-    const vtkIdType n_corners = h.corners->GetNumberOfValues();
-    h.corner_begin->SetNumberOfValues(n_corners / 3 + 1);
-    for (vtkIdType i = 0; i <= n_corners / 3; ++i)
-        h.corner_begin->SetValue(i, static_cast<int>(3 * i));
-    h.triangles->SetData(h.corner_begin, h.corners);
-    h.mesh->SetPolys(h.triangles);
-    h.x_um->Modified();
-    h.normal->Modified();
-    h.colour->Modified();
-    h.points->Modified();
-    h.mesh->Modified();
+    h.connect_corners();
+    h.mark_changed();
 }
 
 }  // namespace spheroscope::render
