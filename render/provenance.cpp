@@ -1,6 +1,7 @@
 #include "render/provenance.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/scene/picture_fields.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -53,24 +54,11 @@ std::string range_text(const scene::Picture& picture, const View& view) {
 }  // namespace
 
 std::string description_text(const scene::Picture& p, const View& view) {
-    // Frames in a second, and the shots, decide which pictures there are, not what is in them.
     nlohmann::json json{{"name", p.name},
-                        {"field", p.field},
-                        {"size", p.size_px},
-                        {"range", p.range},
-                        {"given_range", p.given_range},
-                        {"cutaway", p.cutaway},
-                        {"network", p.network},
-                        {"stress_axes", p.stress_axes},
-                        {"exploded", p.exploded},
-                        {"azimuth", p.azimuth_deg},
-                        {"elevation", p.elevation_deg},
-                        {"orbit", p.orbit_deg},
-                        {"smooth", p.smooth},
-                        {"plot", p.plot},
                         {"progress", view.progress},
                         {"turned", view.turned_deg},
                         {"time_decimals", view.time_decimals}};
+    scene::visit_shown(p, [&](const char* key, const auto& value) { json[key] = value; });
     if (view.fit_radius_um) json["fit_radius"] = *view.fit_radius_um;
     if (view.range) json["shown_range"] = std::array{view.range->low, view.range->high};
     if (view.cutaway) json["shown_cutaway"] = *view.cutaway;
@@ -84,19 +72,7 @@ Description parse_description(const std::string& text) {
     try {
         const nlohmann::json json = nlohmann::json::parse(text);
         json.at("name").get_to(p.name);
-        json.at("field").get_to(p.field);
-        json.at("size").get_to(p.size_px);
-        json.at("range").get_to(p.range);
-        json.at("given_range").get_to(p.given_range);
-        json.at("cutaway").get_to(p.cutaway);
-        json.at("network").get_to(p.network);
-        json.at("stress_axes").get_to(p.stress_axes);
-        json.at("exploded").get_to(p.exploded);
-        json.at("azimuth").get_to(p.azimuth_deg);
-        json.at("elevation").get_to(p.elevation_deg);
-        json.at("orbit").get_to(p.orbit_deg);
-        json.at("smooth").get_to(p.smooth);
-        json.at("plot").get_to(p.plot);
+        scene::visit_shown(p, [&](const char* key, auto& value) { json.at(key).get_to(value); });
         json.at("progress").get_to(view.progress);
         json.at("turned").get_to(view.turned_deg);
         json.at("time_decimals").get_to(view.time_decimals);

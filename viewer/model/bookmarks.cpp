@@ -1,6 +1,7 @@
 #include "viewer/model/bookmarks.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/scene/picture_fields.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,48 +13,27 @@ namespace {
 
 nlohmann::json json_of(const Bookmark& bookmark) {
     const scene::Picture& p = bookmark.view.picture;
-    return {{"name", bookmark.name},
-            {"frame", bookmark.frame},
-            {"picture", p.name},
-            {"field", p.field},
-            {"size", p.size_px},
-            {"range", p.range},
-            {"given_range", p.given_range},
-            {"cutaway", p.cutaway},
-            {"network", p.network},
-            {"stress_axes", p.stress_axes},
-            {"exploded", p.exploded},
-            {"azimuth", p.azimuth_deg},
-            {"elevation", p.elevation_deg},
-            {"orbit", p.orbit_deg},
-            {"fps", p.fps},
-            {"smooth", p.smooth},
-            {"plot", p.plot},
-            {"shots", p.shots}};
+    nlohmann::json json{{"name", bookmark.name},
+                        {"frame", bookmark.frame},
+                        {"picture", p.name},
+                        {"fps", p.fps},
+                        {"shots", p.shots}};
+    scene::visit_shown(p, [&](const char* key, const auto& value) { json[key] = value; });
+    return json;
 }
 
-Bookmark bookmark_of(const nlohmann::json& json) {
+Bookmark bookmark_of(const nlohmann::json& stored) {
+    // Not in bookmarks of before these were there.
+    nlohmann::json json{{"stress_axes", false}, {"exploded", 0.0}};
+    json.update(stored);
     Bookmark bookmark;
     bookmark.name = json.at("name");
     bookmark.frame = json.at("frame");
     scene::Picture& p = bookmark.view.picture;
     p.name = json.at("picture");
-    p.field = json.at("field");
-    p.size_px = json.at("size");
-    p.range = json.at("range");
-    p.given_range = json.at("given_range");
-    p.cutaway = json.at("cutaway");
-    p.network = json.at("network");
-    // Not in bookmarks of before these were there.
-    p.stress_axes = json.value("stress_axes", false);
-    p.exploded = json.value("exploded", 0.0);
-    p.azimuth_deg = json.at("azimuth");
-    p.elevation_deg = json.at("elevation");
-    p.orbit_deg = json.at("orbit");
     p.fps = json.at("fps");
-    p.smooth = json.at("smooth");
-    p.plot = json.at("plot");
     p.shots = json.at("shots");
+    scene::visit_shown(p, [&](const char* key, auto& value) { json.at(key).get_to(value); });
     return bookmark;
 }
 
