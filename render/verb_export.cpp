@@ -1,5 +1,7 @@
+#include "engine/cli/frame_choice.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/options.hpp"
+#include "engine/cli/report_output.hpp"
 #include "engine/store/atomic_file.hpp"
 #include "engine/store/run_file.hpp"
 #include "engine/store/xdmf.hpp"
@@ -35,24 +37,10 @@ void write_text(const fs::path& path, const std::string& text) {
 
 ExitCode export_run(const ExportArguments& arguments) {
     const RunFileReader reader(arguments.file);
-    const int n_frames = reader.n_frames();
-    if (n_frames == 0)
-        throw Error(arguments.file + ": the run has no frames yet", "export it when it has some");
-    int first = 0, last = n_frames - 1;
-    if (arguments.frame) {
-        first = last = *arguments.frame < 0 ? n_frames + *arguments.frame : *arguments.frame;
-        if (first < 0 || first >= n_frames)
-            throw Error(fmt::format("{}: there is no frame {}", arguments.file, *arguments.frame),
-                        fmt::format("frames are 0 to {}, or -1 for the last", n_frames - 1));
-    }
-    const fs::path folder = arguments.common.output.empty()
-                                ? fs::path(arguments.file).parent_path() / "paraview"
-                                : fs::path(arguments.common.output);
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed)
-        throw Error(folder.string() + ": cannot make this folder (" + failed.message() + ")",
-                    "choose another one with -o");
+    const int last = cli::FrameChoice{arguments.frame, ""}.number(reader);
+    const int first = arguments.frame ? last : 0;
+    const fs::path folder =
+        cli::report_folder(arguments.common, fs::path(arguments.file).parent_path() / "paraview");
     std::vector<render::DatedFile> surfaces, network;
     for (int i = first; i <= last; ++i) {
         const SnapshotPtr frame = reader.frame(i);

@@ -1,3 +1,5 @@
+#include "engine/cli/frame_choice.hpp"
+#include "engine/cli/report_output.hpp"
 #include "engine/cli/version.hpp"
 #include "render/movie_painter.hpp"
 #include "render/png.hpp"
@@ -88,20 +90,10 @@ ExitCode render_stills(const RenderArguments& arguments) {
         throw Error("--frame and --frames exclude each other", "each of them says what is drawn");
     const RunFileReader reader(arguments.file);
     const int n_frames = reader.n_frames();
-    const int wanted = arguments.frame.value_or(-1);
-    const int frame = wanted < 0 ? n_frames + wanted : wanted;
-    if (frame < 0 || frame >= n_frames)
-        throw Error(arguments.file + ": there is no frame " + std::to_string(wanted),
-                    n_frames == 0 ? "the run has no frames yet"
-                                  : "frames are 0 to " + std::to_string(n_frames - 1) +
-                                        ", or -1 for the last");
-    const fs::path folder = arguments.common.output.empty() ? fs::path(arguments.file).parent_path()
-                                                            : fs::path(arguments.common.output);
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed)
-        throw Error(folder.string() + ": cannot make this folder (" + failed.message() + ")",
-                    "choose another one with -o");
+    const int frame = cli::FrameChoice{arguments.frame, ""}.number(reader);
+    const fs::path beside = fs::path(arguments.file).parent_path();
+    const fs::path folder =
+        cli::report_folder(arguments.common, beside.empty() ? "." : beside.string());
     StoredFrames frames(reader);
     for (const scene::Picture& picture :
          choose(pictures_of(reader, arguments.common), arguments.picture)) {

@@ -16,13 +16,17 @@
 
 namespace spheroscope::cli {
 
-std::string report_folder(const CommonOptions& options, const std::string& standard) {
-    const std::string folder = options.output.empty() ? standard : options.output;
+void make_folder(const std::string& folder) {
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
     if (failed)
         throw Error(folder + ": cannot make this folder (" + failed.message() + ")",
                     "choose another one with -o");
+}
+
+std::string report_folder(const CommonOptions& options, const std::string& standard) {
+    const std::string folder = options.output.empty() ? standard : options.output;
+    make_folder(folder);
     return folder;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/cli/accuracy_text.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/report_output.hpp"
 #include "engine/cli/store_thread.hpp"
 #include "engine/cli/totals_text.hpp"
 #include "engine/cli/version.hpp"
@@ -256,11 +257,7 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
         engine_options.changes = RunFileReader(place.run_file()).changes();
     Engine engine(scene, engine_options, given_cells(scene));
 
-    std::error_code failed;
-    fs::create_directories(place.folder, failed);
-    if (failed)
-        throw Error(place.folder + ": cannot make this folder (" + failed.message() + ")",
-                    "choose another one with -o");
+    make_folder(place.folder);
     const StartPoint start = start_point(place, scene, changes, options.resume, overwrite);
     if (start.state) engine.resume(*start.state);
     if (start.is_over) {
