@@ -34,9 +34,6 @@ class BadInput : public EngineRunner {
         EXPECT_NE(outcome.err.find("error: "), std::string::npos) << outcome.err;
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
     }
-    bool has_pictures() const {
-        return call_with(Program::whole, {"--help"}).out.find("\n  movie ") != std::string::npos;
-    }
     static std::string changed(const std::string& what, const std::string& instead) {
         return with(all_stages_scene(), what, instead);
     }
@@ -128,8 +125,7 @@ TEST_F(BadInput, OnTheCommandLineIsRefusedByOneMessage) {
 
 TEST_F(BadInput, OfChangesToARunThatIsThereIsNotIgnored) {
     if (!has_pictures()) GTEST_SKIP() << "built without pictures";
-    write_file("scene.toml", all_stages_scene());
-    ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+    put_run();
     for (const std::string verb : {"render", "movie"})
         expect_refused({verb, "o/run.h5", "--set", "contact.adhesion.omega=0.1"},
                        "--set contact.adhesion.omega means nothing to a run that is there",
@@ -141,10 +137,9 @@ TEST_F(BadInput, OfChangesToARunThatIsThereIsNotIgnored) {
                    Program::whole);
 }
 
-TEST_F(BadInput, OfAFileThatIsNoRunIsRefusedByEveryReader) {
-    const bool is_drawn = has_pictures();
-    write_file("scene.toml", all_stages_scene());
-    ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+// Of the verbs that draw: bad_input_slow_test.cpp
+TEST_F(BadInput, OfAFileThatIsNoRunIsRefusedByInfoAndByAScene) {
+    put_run();
     fs::copy_file(path("o/run.h5"), path("cut.h5"));
     fs::resize_file(path("cut.h5"), fs::file_size(path("cut.h5")) / 2);
     fs::copy_file(path("o/run.checkpoint.h5"), path("foreign.h5"));
@@ -152,10 +147,6 @@ TEST_F(BadInput, OfAFileThatIsNoRunIsRefusedByEveryReader) {
     fs::create_directory(path("folder.h5"));
     for (const std::string name : {"cut.h5", "foreign.h5", "text.h5", "folder.h5", "missing.h5"}) {
         expect_refused({"info", name}, name);
-        if (is_drawn) {
-            expect_refused({"render", name}, name, Program::whole);
-            expect_refused({"movie", name}, name, Program::whole);
-        }
         const std::string cells = "arrangement = \"file\"\nfile = \"" + name + "\"";
         std::string text = changed("arrangement = \"packing\"\ncount = 4", cells);
         const std::size_t anneal = text.find("[[stage]]\nkind = \"anneal\"");

@@ -12,10 +12,7 @@ using nlohmann::json;
 
 class ExtractVerb : public EngineRunner {
   protected:
-    ExtractVerb() {
-        write_file("scene.toml", all_stages_scene());
-        EXPECT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet", "--threads", "1"}).code, 0);
-    }
+    ExtractVerb() { put_run(); }
     [[nodiscard]] json document(const std::vector<std::string>& arguments) const {
         const Outcome outcome = call(arguments);
         EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -56,8 +56,7 @@ fields = ["sigma_h"]
 class Figures : public ProgramRunner {
   protected:
     void SetUp() override {
-        if (call({"--help"}).out.find("\n  figures ") == std::string::npos)
-            GTEST_SKIP() << "built without pictures";
+        if (!has_pictures()) GTEST_SKIP() << "built without pictures";
         write_file("small.toml", k_scene);
     }
 

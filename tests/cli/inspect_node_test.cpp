@@ -14,13 +14,10 @@ namespace {
 
 class InspectNode : public ProgramRunner {
   protected:
-    void SetUp() override {
-        write_file("scene.toml", all_stages_scene());
-        ASSERT_EQ(call_with(Program::engine, {"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
-    }
+    void SetUp() override { put_run(); }
     void expect_refused(std::vector<std::string> arguments, const std::string& words) const {
         arguments.insert(arguments.begin(), {"inspect", "o/run.h5"});
-        const Outcome outcome = call(arguments);
+        const Outcome outcome = call_with(Program::engine, arguments);
         EXPECT_EQ(outcome.code, 2) << outcome.err;
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
     }

@@ -12,10 +12,7 @@ using nlohmann::json;
 
 class InspectStep : public EngineRunner {
   protected:
-    InspectStep() {
-        write_file("scene.toml", all_stages_scene());
-        EXPECT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet", "--threads", "1"}).code, 0);
-    }
+    InspectStep() { put_run(); }
     void expect_refused(std::vector<std::string> arguments, const std::string& words) const {
         SCOPED_TRACE(words);
         arguments.insert(arguments.begin(), {"inspect", "o/run.h5", "--step"});

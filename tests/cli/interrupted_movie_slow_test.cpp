@@ -19,8 +19,7 @@ namespace fs = std::filesystem;
 class InterruptedMovie : public ProgramRunner {
   protected:
     void SetUp() override {
-        if (call({"--help"}).out.find("\n  movie ") == std::string::npos)
-            GTEST_SKIP() << "built without pictures";
+        if (!has_pictures()) GTEST_SKIP() << "built without pictures";
         write_file("scene.toml", all_stages_scene());
         ASSERT_EQ(call({"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
     }

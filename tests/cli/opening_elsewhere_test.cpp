@@ -14,10 +14,7 @@ namespace fs = std::filesystem;
 
 class OpeningElsewhere : public ProgramRunner {
   protected:
-    void SetUp() override {
-        write_file("scene.toml", all_stages_scene());
-        ASSERT_EQ(call_with(Program::engine, {"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
-    }
+    void SetUp() override { put_run(); }
     /// The output of a script under Debian's python3; nothing where that has no h5py.
     [[nodiscard]] Outcome python(const std::string& script, const std::string& argument) const {
         return shell(
@@ -30,7 +27,8 @@ TEST_F(OpeningElsewhere, TheExampleWithH5pyPrintsWhatInfoSays) {
     const Outcome outcome = python("engine/store/read_run.py", "o/run.h5");
     if (outcome.code == 77) GTEST_SKIP() << "no h5py";
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const nlohmann::json info = nlohmann::json::parse(call({"info", "o/run.h5", "--json"}).out);
+    const nlohmann::json info =
+        nlohmann::json::parse(call_with(Program::engine, {"info", "o/run.h5", "--json"}).out);
     EXPECT_NE(outcome.out.find("Four cells through every kind of stage: 4 cells, seed 3"),
               std::string::npos)
         << outcome.out;
@@ -63,8 +61,7 @@ TEST_F(OpeningElsewhere, TheXdmfIsReadByBothReadersOfVtk) {
 }
 
 TEST_F(OpeningElsewhere, ExportWritesAFileForEachFrameAndACollection) {
-    if (call({"--help"}).out.find("\n  export ") == std::string::npos)
-        GTEST_SKIP() << "built without pictures";
+    if (!has_pictures()) GTEST_SKIP() << "built without pictures";
     fs::remove(path("o/run.xdmf"));
     const Outcome outcome = call({"export", "o/run.h5", "-o", "p", "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;

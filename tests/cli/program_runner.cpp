@@ -30,6 +30,25 @@ void send_to(int descriptor, const std::string& path, int flags) {
     close(file);
 }
 
+/// A name for a folder that is gone when the process ends.
+class KeptFolder {
+  public:
+    KeptFolder()
+        : path_(fs::path(testing::TempDir()) / ("spheroscope kept " + std::to_string(getpid()))) {
+        fs::remove_all(path_);
+    }
+    ~KeptFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    KeptFolder(const KeptFolder&) = delete;
+    KeptFolder& operator=(const KeptFolder&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
 }  // namespace
 
 ProgramRunner::ProgramRunner(Program program)
@@ -72,8 +91,25 @@ Outcome ProgramRunner::wait_for(pid_t process) const {
     return outcome;
 }
 
+bool ProgramRunner::has_pictures() const {
+    static const bool has =
+        call_with(Program::whole, {"--help"}).out.find("\n  movie ") != std::string::npos;
+    return has;
+}
+
 Outcome ProgramRunner::shell(const std::string& command) const {
     return call({"/bin/sh", "-c", "PROGRAM='" + file_of(program_) + "'; " + command});
+}
+
+void ProgramRunner::put_run() const {
+    static const KeptFolder kept;
+    write_file("scene.toml", all_stages_scene());
+    if (!fs::exists(kept.path())) {
+        ASSERT_EQ(call_with(Program::engine, {"run", "scene.toml", "-o", "o", "--quiet"}).code, 0);
+        fs::copy(folder_ / "o", kept.path(), fs::copy_options::recursive);
+    } else {
+        fs::copy(kept.path(), folder_ / "o", fs::copy_options::recursive);
+    }
 }
 
 void ProgramRunner::write_file(const std::string& name, const std::string& text) const {

@@ -41,9 +41,14 @@ class ProgramRunner : public testing::Test {
                                     const std::vector<std::string>& arguments) const {
         return wait_for(start(arguments, program));
     }
+    /// Whether the whole program was built with pictures; asked once in a process.
+    [[nodiscard]] bool has_pictures() const;
     /// A command of the shell, with $PROGRAM as the program, in the folder.
     [[nodiscard]] Outcome shell(const std::string& command) const;
 
+    /// Writes all_stages_scene() as scene.toml and its finished run as the folder o: what
+    /// `run scene.toml -o o` of the program without pictures leaves, made once in a process.
+    void put_run() const;
     void write_file(const std::string& name, const std::string& text) const;
     [[nodiscard]] std::filesystem::path path(const std::string& name) const {
         return folder_ / name;

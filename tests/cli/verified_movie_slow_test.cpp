@@ -15,8 +15,7 @@ namespace fs = std::filesystem;
 class VerifiedMovie : public ProgramRunner {
   protected:
     void SetUp() override {
-        if (call({"--help"}).out.find("\n  movie ") == std::string::npos)
-            GTEST_SKIP() << "built without pictures";
+        if (!has_pictures()) GTEST_SKIP() << "built without pictures";
         write_file("scene.toml", all_stages_scene());
         ASSERT_EQ(call({"movie", "scene.toml", "-o", "o", "--quiet", "--set",
                         "picture[0].plot=contact_area"})

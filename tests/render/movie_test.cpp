@@ -332,30 +332,29 @@ class PairOf : public FrameSource {
 };
 
 TEST(Movie, HalvesOfOneTitleSayWhatTellsTheirRunsApart) {
-    const TemporaryFolder folder;
     PairOf first(1, "A pair"), second(2, "A pair");
-    const MovieSettings settings = settings_in(folder.path());
-    make_comparison(first, second, settings);
-    const PngFile file = read_png(settings.frames_folder / "000003.png");
-    const View view = parse_description(file.texts.at(k_view_key)).view;
+    scene::Picture picture = synthetic::make_picture("mean_stress");
+    picture.size_px = {320, 180};
+    const View view{.range = Range{-60.0, 60.0}};
+    const std::array<MoviePainter::Shown, 2> shown{{{3, view}, {3, view}}};
+    const std::vector<Survey> surveys(2, survey_frames(first, picture));
+    FrameSource* const runs[]{&first, &second};
+    const Image compared = MoviePainter(runs, surveys, picture, "test").paint(shown);
     const auto is_half = [&](int half, const Image& wanted) {
         for (int y = 0; y < wanted.height; ++y)
             for (int x = 0; x < wanted.width; ++x)
-                if (file.image.at(half * 320 + x, y) != wanted.at(x, y)) return false;
+                if (compared.at(half * 320 + x, y) != wanted.at(x, y)) return false;
         return true;
     };
     const auto drawn = [&](PairOf& run, const std::string& difference) {
-        return Renderer(run.frame(3)->header, settings.picture, difference)
-            .render(*run.frame(3), view);
+        return Renderer(run.frame(3)->header, picture, difference).render(*run.frame(3), view);
     };
     EXPECT_TRUE(is_half(0, drawn(first, "seed = 1")));
     EXPECT_TRUE(is_half(1, drawn(second, "seed = 2")));
     EXPECT_FALSE(is_half(1, drawn(second, "seed = 1")));
     FrameSource* const twice[]{&first, &first};
-    const std::vector<Survey> surveys(2, survey_frames(first, settings.picture));
-    MoviePainter strip(twice, surveys, settings.picture, "test");
-    const std::array<MoviePainter::Shown, 2> shown{{{3, view}, {3, view}}};
-    const Image alone = drawn(first, ""), both = strip.paint(shown);
+    const Image alone = drawn(first, "");
+    const Image both = MoviePainter(twice, surveys, picture, "test").paint(shown);
     for (int x = 0; x < 640; ++x)
         for (int y = 0; y < 180; ++y) ASSERT_EQ(both.at(x, y), alone.at(x % 320, y));
 }

@@ -1,4 +1,5 @@
-// `diff` as a script uses it: the exit code is the verdict.
+// `diff` as a script uses it: the exit code is the verdict. (What it compares is tested by
+// tests/render/image_diff_test.cpp; starting the program so often is what takes time here.)
 #include "tests/cli/program_runner.hpp"
 
 #include <nlohmann/json.hpp>
@@ -13,8 +14,7 @@ namespace fs = std::filesystem;
 class DiffVerb : public ProgramRunner {
   protected:
     void SetUp() override {
-        if (call({"--help"}).out.find("\n  diff ") == std::string::npos)
-            GTEST_SKIP() << "built without pictures";
+        if (!has_pictures()) GTEST_SKIP() << "built without pictures";
         for (const std::string name : {"square", "square_moved", "square_other", "black", "white"})
             fs::copy_file(fs::path(SPHEROSCOPE_SOURCE_DIR) / "tests/cli/pictures" / (name + ".png"),
                           path(name + ".png"));
