@@ -13,7 +13,7 @@ namespace spheroscope::render {
 /// What a panel has beside the lines of VTK's charts: ranges of values that something else was
 /// found in (bands; a line if both ends are equal), error bars, and coloured fields.
 
-inline constexpr int k_colour_bar_px = 110;  ///< room for the bar beside a map
+inline constexpr int k_colour_bar_px = 135;  ///< room for the bar beside a map, with its title
 
 void paint_bands(vtkContext2D& painter, const PlotArea& area,
                  const std::vector<reports::Plot::Band>& bands);
