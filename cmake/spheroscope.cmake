@@ -7,7 +7,7 @@ target_compile_options(spheroscope_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion>
   # GCC 12 sees overlaps, lengths and bounds in strings that are not there (GCC bugs 105651, 105329)
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>
   # a*b+c is rounded twice everywhere, so that results do not depend on what the compiler fuses
   -ffp-contract=off)
 if(SPHEROSCOPE_WERROR)

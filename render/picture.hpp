@@ -25,12 +25,12 @@ enum class Quality { full, draft, coarse };
 struct View {
     /// Half the height that the aggregate is given; the caller passes the largest extent of a
     /// movie, so that the scale stays. Unset: this frame's extent.
-    std::optional<double> fit_radius_um;
+    std::optional<double> fit_radius_um{};
     /// Unset: the scene's given range, or the range of this frame.
-    std::optional<Range> range;
+    std::optional<Range> range{};
     double progress = 0.0;    ///< 0..1 through the movie: how far the picture's orbit has turned
     double turned_deg = 0.0;  ///< besides: by the shots of a movie
-    std::optional<bool> cutaway;  ///< unset: the picture's
+    std::optional<bool> cutaway{};  ///< unset: the picture's
     int time_decimals = 1;
     Quality quality = Quality::full;
 };

@@ -181,7 +181,7 @@ const auto& tables() {
         Table{"cortex.viscosity", part, &enter<&Scene::cortex, &Cortex::viscosity>, {},
               "Viscosity of the cortex, eqns (15), (16)."},
         Table{"cortex.regularisation", part, &enter<&Scene::cortex, &Cortex::regularisation>, {},
-              "Strain limiter and fold stop for soft cells (E t < gamma); not in the paper."},
+              "Strain limiter and fold stop for soft cells (they act where E t < gamma / 2); not in the paper."},
         Table{"cytosol", part, &enter<&Scene::cytosol>, {},
               "Pressure that holds the volume of each cell, eqns (12), (13)."},
         Table{"medium", part, &enter<&Scene::medium>, {},
@@ -346,7 +346,7 @@ const auto& keys() {
             "contact energy, with its in-plane part."},
         Key{"contact", "precision", choose<&S::contact, &Contact::precision>(k_precisions), number,
             {}, {}, with_traction, "float", k_ours,
-            "Of the contact kernel: `float` is about three times as fast, with errors of the nodal "
+            "Of the contact kernel: `float` is two to three times as fast, with errors of the nodal "
             "forces below 1e-5 of the largest."},
         Key{"contact", "reject_cos", reach<&S::contact, &Contact::reject_cos>(), number, cosine, {},
             with_traction, "0, 0.3", k_ours,

@@ -41,7 +41,7 @@ class Accuracy : public EngineRunner {
     [[nodiscard]] nlohmann::json errors_in_the_file() const {
         const Outcome info = call({"info", "here/run.h5", "--json"});
         EXPECT_EQ(info.code, 0) << info.err;
-        return nlohmann::json::parse(info.out)["errors"];
+        return json_of(info)["errors"];
     }
 };
 
@@ -65,7 +65,7 @@ TEST_F(Accuracy, IsTheSameInTheSummaryInJsonAndInTheFile) {
     const Outcome as_json =
         call({"run", "doublet.toml", "--threads", "1", "--quiet", "--json", "-o", "there"});
     ASSERT_EQ(as_json.code, 0) << as_json.err;
-    EXPECT_EQ(nlohmann::json::parse(as_json.out)["errors"], errors);
+    EXPECT_EQ(json_of(as_json)["errors"], errors);
 
     std::set<std::string> measures;
     for (const nlohmann::json& error : errors) {

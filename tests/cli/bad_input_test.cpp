@@ -79,7 +79,7 @@ TEST_F(BadInput, IsFoundByCheckAsWell) {
         write_file("scene.toml", text);
         const Outcome outcome = call({"check", "scene.toml", "--json"});
         EXPECT_EQ(outcome.code, 2) << outcome.err;
-        EXPECT_EQ(nlohmann::json::parse(outcome.out)["valid"], false);
+        EXPECT_EQ(json_of(outcome)["valid"], false);
     }
 }
 

@@ -24,7 +24,7 @@ class DiffVerb : public ProgramRunner {
         arguments.push_back("--json");
         const Outcome outcome = call(arguments);
         EXPECT_EQ(outcome.code, code) << outcome.out << outcome.err;
-        return nlohmann::json::parse(outcome.out);
+        return json_of(outcome);
     }
 };
 

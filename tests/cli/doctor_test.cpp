@@ -12,7 +12,7 @@ namespace {
 class Doctor : public ProgramRunner {
   protected:
     static std::map<std::string, nlohmann::json> parts_of(const Outcome& outcome) {
-        const nlohmann::json document = nlohmann::json::parse(outcome.out);
+        const nlohmann::json document = json_of(outcome);
         std::map<std::string, nlohmann::json> parts;
         for (const nlohmann::json& part : document["parts"]) parts[part["name"]] = part;
         return parts;
@@ -22,7 +22,7 @@ class Doctor : public ProgramRunner {
 TEST_F(Doctor, SaysWhatTheProgramHasAndNeeds) {
     const Outcome outcome = call({"doctor", "--json"});
     EXPECT_EQ(outcome.code, 0) << outcome.out;
-    const nlohmann::json document = nlohmann::json::parse(outcome.out);
+    const nlohmann::json document = json_of(outcome);
     EXPECT_EQ(document["well"], true);
     EXPECT_GE(document["threads"], 1);
     EXPECT_EQ(document["simd"]["used"], document["simd"]["available"][0]);

@@ -16,7 +16,7 @@ class ExtractVerb : public EngineRunner {
     [[nodiscard]] json document(const std::vector<std::string>& arguments) const {
         const Outcome outcome = call(arguments);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return json::parse(outcome.out);
+        return json_of(outcome);
     }
     void expect_refused(std::vector<std::string> arguments, const std::string& words) const {
         SCOPED_TRACE(words);

@@ -83,7 +83,7 @@ class Figures : public ProgramRunner {
         arguments.insert(arguments.end(), files.begin(), files.end());
         const Outcome outcome = call(arguments);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return nlohmann::json::parse(outcome.out);
+        return json_of(outcome);
     }
 };
 
@@ -119,7 +119,7 @@ TEST_F(Figures, OfAGridOfRunsAreAllDrawnWithTheirNumbers) {
     EXPECT_NE(map.find("broad grid: 4 of 30 points have runs"), std::string::npos) << map;
 
     // The mean over seeds in the CSV is the one that info prints.
-    const auto info = nlohmann::json::parse(call({"info", files[0], files[1], "--json"}).out);
+    const auto info = json_of(call({"info", files[0], files[1], "--json"}));
     const auto& Z = info["setups"][0]["totals"]["coordination_Z"];
     const auto& ours = document["setups"][0]["numbers"]["coordination_Z"];
     EXPECT_EQ(ours["mean"], Z["mean"]);

@@ -28,7 +28,7 @@ TEST_F(InspectNode, DrawsWhatItPrints) {
         call({"inspect", "o/run.h5", "--node", "1:3", "--json", "--quiet", "-o", "node.png"});
     if (outcome.code == 5) GTEST_SKIP() << "built without pictures";
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(nlohmann::json::parse(outcome.out)["node"]["node"], 3);
+    EXPECT_EQ(json_of(outcome)["node"]["node"], 3);
     std::ifstream file(path("node.png"), std::ios::binary);
     std::string start(8, '\0');
     file.read(start.data(), 8);

@@ -27,14 +27,14 @@ TEST_F(InspectStep, AddsUpToTheForceOnTheNode) {
     const Outcome outcome =
         call({"inspect", "o/run.h5", "--step", "--node", "1:3", "--json", "--quiet"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const json step = json::parse(outcome.out)["step"];
+    const json step = json_of(outcome)["step"];
     EXPECT_TRUE(step["accepted"].get<bool>());
     const json& terms = step["phases"][0]["terms"];
     ASSERT_GE(terms.size(), 4U);
     const json& last = terms.back();
     const Outcome forces = call({"inspect", "o/run.h5", "--node", "1:3", "--json", "--quiet"});
     ASSERT_EQ(forces.code, 0) << forces.err;
-    const json drive = json::parse(forces.out)["node"]["drive_nN"];
+    const json drive = json_of(forces)["node"]["drive_nN"];
     for (std::size_t k = 0; k < 3; ++k)
         EXPECT_NEAR(last["on_node_before_nN"][k].get<double>() +
                         last["on_node_nN"][k].get<double>(),
@@ -59,7 +59,7 @@ TEST_F(InspectStep, OfARunUnderABeadIsOneThatTheRunWouldTake) {
     ASSERT_EQ(call({"run", "scene.toml", "-o", "b", "--quiet", "--threads", "1"}).code, 0);
     const Outcome outcome = call({"inspect", "b/run.h5", "--step", "--json", "--quiet"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const json step = json::parse(outcome.out)["step"];
+    const json step = json_of(outcome)["step"];
     EXPECT_TRUE(step["accepted"].get<bool>()) << outcome.out;
     EXPECT_LT(step["phases"][1]["relative_residual"].back().get<double>(), 1e-2);
 

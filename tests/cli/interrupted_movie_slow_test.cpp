@@ -58,7 +58,7 @@ TEST_F(InterruptedMovie, WhileItDrawsEndsWith130And143AndGoesOnWithThePicturesIt
     const Outcome movie = call({"movie", "scene.toml", "-o", "o", "--quiet", "--json"});
     EXPECT_EQ(movie.code, 0) << movie.err;
     EXPECT_TRUE(fs::exists(path("o/main.mp4")));
-    EXPECT_EQ(nlohmann::json::parse(movie.out)["movies"][0]["drawn"], 24 - n_there);
+    EXPECT_EQ(json_of(movie)["movies"][0]["drawn"], 24 - n_there);
 }
 
 TEST_F(InterruptedMovie, OfARunWithoutFramesIsRefused) {

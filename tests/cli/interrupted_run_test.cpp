@@ -37,7 +37,7 @@ class InterruptedRun : public EngineRunner {
         FAIL() << "no " << n << " frames came";
     }
     [[nodiscard]] static std::string hash_of(const Outcome& outcome) {
-        return nlohmann::json::parse(outcome.out).at("state_hash");
+        return json_of(outcome).at("state_hash");
     }
 };
 
@@ -160,8 +160,7 @@ TEST_F(InterruptedRun, ThatIsFinishedSaysSoWhenItIsResumed) {
     EXPECT_EQ(again.code, 0);
     EXPECT_EQ(again.err, "info: o/run.h5: this run is finished; nothing is left to do\n");
     EXPECT_EQ(hash_of(again), hash_of(whole));
-    EXPECT_EQ(nlohmann::json::parse(again.out)["totals"],
-              nlohmann::json::parse(whole.out)["totals"]);
+    EXPECT_EQ(json_of(again)["totals"], json_of(whole)["totals"]);
     EXPECT_EQ(fs::last_write_time(path("o/run.h5")), written);
     const Outcome other =
         call({"run", "scene.toml", "-o", "o", "--quiet", "--resume", "--seed", "8"});

@@ -31,7 +31,7 @@ class KilledRun : public EngineRunner {
         return arguments;
     }
     [[nodiscard]] static std::string hash_of(const Outcome& outcome) {
-        return nlohmann::json::parse(outcome.out).at("state_hash");
+        return json_of(outcome).at("state_hash");
     }
     [[nodiscard]] RunFileReader reader(const std::string& folder) const {
         return RunFileReader(path(folder + "/run.h5").string());

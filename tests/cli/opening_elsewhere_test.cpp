@@ -27,8 +27,7 @@ TEST_F(OpeningElsewhere, TheExampleWithH5pyPrintsWhatInfoSays) {
     const Outcome outcome = python("engine/store/read_run.py", "o/run.h5");
     if (outcome.code == 77) GTEST_SKIP() << "no h5py";
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const nlohmann::json info =
-        nlohmann::json::parse(call_with(Program::engine, {"info", "o/run.h5", "--json"}).out);
+    const nlohmann::json info = json_of(call_with(Program::engine, {"info", "o/run.h5", "--json"}));
     EXPECT_NE(outcome.out.find("Four cells through every kind of stage: 4 cells, seed 3"),
               std::string::npos)
         << outcome.out;
@@ -65,7 +64,7 @@ TEST_F(OpeningElsewhere, ExportWritesAFileForEachFrameAndACollection) {
     fs::remove(path("o/run.xdmf"));
     const Outcome outcome = call({"export", "o/run.h5", "-o", "p", "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(nlohmann::json::parse(outcome.out)["frames"], 24);
+    EXPECT_EQ(json_of(outcome)["frames"], 24);
     EXPECT_EQ(names_in("p").size(), 24U + 24U + 2U);
     EXPECT_TRUE(fs::exists(path("o/run.xdmf"))) << "made anew where it was lost";
     EXPECT_EQ(call({"export", "o/run.h5", "-o", "q", "--frame", "-1"}).code, 0);

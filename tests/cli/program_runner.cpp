@@ -1,5 +1,7 @@
 #include "tests/cli/program_runner.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <fcntl.h>
 #include <fstream>
@@ -50,6 +52,13 @@ class KeptFolder {
 };
 
 }  // namespace
+
+nlohmann::json json_of(const Outcome& outcome) {
+    nlohmann::json document = nlohmann::json::parse(outcome.out, nullptr, false);
+    if (document.is_discarded())
+        ADD_FAILURE() << "not one JSON document: " << outcome.out << outcome.err;
+    return document;
+}
 
 ProgramRunner::ProgramRunner(Program program)
     : program_(program),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <string>
@@ -15,6 +16,10 @@ struct Outcome {
     int signal = 0;  ///< that signal
     std::string out, err;
 };
+
+/// The one JSON document that stdout is to be; if it is none, the test fails. Compiled once: the
+/// parser would take two seconds of every source that calls it.
+[[nodiscard]] nlohmann::json json_of(const Outcome& outcome);
 
 /// Which program a test calls. `engine` is built without pictures, as on a computer without VTK,
 /// and starts in a tenth of the time: the one for verbs that draw nothing.

@@ -26,7 +26,7 @@ class ReportVerbs : public EngineRunner {
 TEST_F(ReportVerbs, PrecisionGivesOneObjectForEachRunWithWhatScriptsRelyOn) {
     const Outcome outcome = call({"precision", "small.toml", "--levels", "2", "--json", "--quiet"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     ASSERT_GE(document["runs"].size(), 4U);
     for (const auto& run : document["runs"]) {
         for (const char* key : {"method", "setting", "errors", "wall_s", "work", "hash", "outcome"})
@@ -59,7 +59,7 @@ TEST_F(ReportVerbs, PrecisionWritesATableWithOneLineForEachRun) {
 TEST_F(ReportVerbs, PrecisionShowsAMethodThatFailsAsFailed) {
     const Outcome outcome = call({"precision", "small.toml", "--levels", "1", "--json", "--quiet",
                                   "--set", "cortex.elastic.E=2000", "--set", "method.dt=32 ms"});
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     const auto& run = document["runs"][0];
     EXPECT_EQ(run["method"], "forward_euler");
     EXPECT_EQ(run["outcome"], "failed");
@@ -71,7 +71,7 @@ TEST_F(ReportVerbs, PrecisionEndsWithThreeWhenTheTimeLimitComesFirst) {
     const Outcome outcome =
         call({"precision", "small.toml", "--quiet", "--time-limit", "1 us", "--json"});
     EXPECT_EQ(outcome.code, 3) << outcome.err;
-    EXPECT_EQ(nlohmann::json::parse(outcome.out)["met_time_limit"], true);
+    EXPECT_EQ(json_of(outcome)["met_time_limit"], true);
 }
 
 TEST_F(ReportVerbs, PrecisionRefusesASceneThatEndsOnACondition) {
@@ -85,7 +85,7 @@ TEST_F(ReportVerbs, PrecisionWithMeshLevelsSaysWhichErrorDominates) {
     const Outcome outcome =
         call({"precision", "small.toml", "--mesh", "--most-nodes", "642", "--json", "--quiet"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     EXPECT_EQ(document["levels"].size(), 3U);
     for (const auto& measure : document["measures"])
         for (const char* key :

@@ -49,7 +49,7 @@ class Reproduce : public EngineRunner {
                      "--json"});
     }
     static std::string verdict(const Outcome& outcome, std::size_t row) {
-        return nlohmann::json::parse(outcome.out)["claims"][row]["verdict"];
+        return json_of(outcome)["claims"][row]["verdict"];
     }
 };
 
@@ -74,7 +74,7 @@ between = [0.60, 0.66]
     const std::filesystem::path kept = path("out/beads/seed=1/jamming.json");
     const auto made = std::filesystem::last_write_time(kept);
     const Outcome full = reproduce("--full");
-    EXPECT_EQ(nlohmann::json::parse(full.out)["claims"][0]["seeds"], 2);
+    EXPECT_EQ(json_of(full)["claims"][0]["seeds"], 2);
     EXPECT_EQ(std::filesystem::last_write_time(kept), made);
     EXPECT_EQ(reproduce("--stored").code, 0);
 
@@ -82,7 +82,7 @@ between = [0.60, 0.66]
     const Outcome damaged = reproduce("--stored");
     EXPECT_EQ(damaged.code, 3);
     EXPECT_NE(damaged.err.find("jamming.json"), std::string::npos) << damaged.err;
-    EXPECT_EQ(nlohmann::json::parse(damaged.out)["claims"][0]["seeds"], 1);
+    EXPECT_EQ(json_of(damaged)["claims"][0]["seeds"], 1);
 }
 
 TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
@@ -91,7 +91,7 @@ TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
     EXPECT_EQ(verdict(quick, 0), "agrees");
     EXPECT_EQ(verdict(quick, 1), "no data");  // no quick seeds
     EXPECT_EQ(verdict(quick, 2), "differs");
-    const nlohmann::json row = nlohmann::json::parse(quick.out)["claims"][0];
+    const nlohmann::json row = json_of(quick)["claims"][0];
     EXPECT_EQ(row["id"], "three_cells_have_a_rim/soft");
     EXPECT_EQ(row["paper"], "1");
     EXPECT_EQ(row["ours"], 1.0);
@@ -104,7 +104,7 @@ TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
     const Outcome full = reproduce("--full");
     ASSERT_EQ(full.code, 0) << full.err;
     EXPECT_EQ(verdict(full, 1), "agrees");
-    EXPECT_EQ(nlohmann::json::parse(full.out)["claims"][0]["seeds"], 2);
+    EXPECT_EQ(json_of(full)["claims"][0]["seeds"], 2);
     EXPECT_EQ(std::filesystem::last_write_time(path("out/soft/seed=1/run.h5")), made);
 
     std::filesystem::remove(path("out/stiff/seed=1/run.h5"));
@@ -130,7 +130,7 @@ TEST_F(Reproduce, GoesOnWithTheNumbersOfAnEarlierReport) {
     const Outcome kept = again();
     ASSERT_EQ(kept.code, 0) << kept.err;
     EXPECT_EQ(verdict(kept, 0), "agrees");
-    EXPECT_EQ(nlohmann::json::parse(kept.out)["claims"][0]["seeds"], 2);
+    EXPECT_EQ(json_of(kept)["claims"][0]["seeds"], 2);
     EXPECT_EQ(verdict(kept, 2), "differs");
     const auto text_of = [&](const std::string& name) {
         std::ifstream file(path(name));
@@ -153,7 +153,7 @@ TEST_F(Reproduce, GoesOnWithTheNumbersOfAnEarlierReport) {
     std::filesystem::rename(path("out/runs.csv"), path("report/runs.csv"));
     const Outcome twice = again();
     ASSERT_EQ(twice.code, 0) << twice.err;
-    const auto document = nlohmann::json::parse(twice.out);
+    const auto document = json_of(twice);
     int n_remarks = 0;
     for (const auto& remark : document["remarks"])
         if (remark.get<std::string>().find("does not say of which version") != std::string::npos)
@@ -190,7 +190,7 @@ TEST_F(Reproduce, ListsARunThatMissesWhatItsSceneExpects) {
     const Outcome outcome = reproduce("--quick");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     std::string remarks;
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     for (const auto& remark : document["remarks"]) remarks += remark.get<std::string>() + "\n";
     EXPECT_NE(remarks.find("seed 1 misses [expect] of its scene: contact_fraction is 0."),
               std::string::npos)

@@ -19,12 +19,12 @@ TEST_F(RunSeeds, MakesOneRunForEachSeedAndTheirMeans) {
     const Outcome outcome = call({"run", "small.toml", "--seeds", "1..3", "-o", "out", "--threads",
                                   "1", "--quiet", "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     ASSERT_EQ(document["seeds"].size(), 3U);
     double sum = 0.0, square = 0.0;
     for (int seed = 1; seed <= 3; ++seed) {
         const std::string file = "out/seed_" + std::to_string(seed) + "/run.h5";
-        const auto info = nlohmann::json::parse(call({"info", file, "--json"}).out);
+        const auto info = json_of(call({"info", file, "--json"}));
         EXPECT_EQ(info["seed"], seed);
         const double area = info["totals"]["contact_area"].get<double>();
         sum += area;
@@ -35,9 +35,8 @@ TEST_F(RunSeeds, MakesOneRunForEachSeedAndTheirMeans) {
     EXPECT_NEAR(area["standard_error"].get<double>(),
                 std::sqrt((square - sum * sum / 3.0) / 2.0 / 3.0), 1e-6 * sum);
     // and info of the three files says the same
-    const auto info = nlohmann::json::parse(
-        call({"info", "out/seed_1/run.h5", "out/seed_2/run.h5", "out/seed_3/run.h5", "--json"})
-            .out);
+    const auto info = json_of(
+        call({"info", "out/seed_1/run.h5", "out/seed_2/run.h5", "out/seed_3/run.h5", "--json"}));
     ASSERT_EQ(info["setups"].size(), 1U);
     for (const char* measure : {"contact_area", "coordination_Z", "sigma_h_size"})
         EXPECT_EQ(info["setups"][0]["totals"][measure], document["totals"][measure]) << measure;
@@ -54,7 +53,7 @@ TEST_F(RunSeeds, GoOnAfterASeedThatFailedAndEndWithItsCode) {
                                   "1", "--quiet", "--json"});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("seed 2 failed"), std::string::npos) << outcome.err;
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     ASSERT_EQ(document["seeds"].size(), 3U);
     EXPECT_EQ(document["seeds"][1]["outcome"], "failed");
     EXPECT_NE(document["seeds"][1]["reason"], "");
@@ -65,7 +64,7 @@ TEST_F(RunSeeds, GoOnAfterASeedThatFailedAndEndWithItsCode) {
     const Outcome again = call({"run", "small.toml", "--seeds", "1..3", "-o", "out", "--threads",
                                 "1", "--quiet", "--json", "--resume"});
     EXPECT_EQ(again.code, 0) << again.err;
-    EXPECT_EQ(nlohmann::json::parse(again.out)["totals"]["contact_area"]["seeds"], 3);
+    EXPECT_EQ(json_of(again)["totals"]["contact_area"]["seeds"], 3);
     EXPECT_EQ(std::filesystem::last_write_time(path("out/seed_1/run.h5")), before);
 }
 

@@ -18,7 +18,7 @@ class Simd : public EngineRunner {
                   "--threads", threads, "--set", "stage[0].duration=20 ms", "-o", folder, "--json",
                   "--quiet"});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return nlohmann::json::parse(outcome.out);
+        return json_of(outcome);
     }
 };
 

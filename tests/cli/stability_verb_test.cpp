@@ -32,7 +32,7 @@ class StabilityVerb : public EngineRunner {
 TEST_F(StabilityVerb, GivesOneObjectForEachSceneAndMethodWithWhatScriptsRelyOn) {
     const Outcome outcome = judge(k_scene);
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     ASSERT_GE(document["runs"].size(), 4U);
     int n_refused = 0;
     for (const auto& run : document["runs"]) {
@@ -47,7 +47,7 @@ TEST_F(StabilityVerb, GivesOneObjectForEachSceneAndMethodWithWhatScriptsRelyOn) 
 TEST_F(StabilityVerb, EndsWithFourWhenAMeasureIsNotAsExpected) {
     const Outcome outcome = judge(with(k_scene, "{ max = 0.1 }", "{ max = 1e-12 }"));
     EXPECT_EQ(outcome.code, 4);
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     for (const auto& run : document["runs"])
         if (run["outcome"] == "ended") {
             EXPECT_EQ(run["met"], false);
@@ -73,7 +73,7 @@ TEST_F(StabilityVerb, AStopThatWasExpectedIsMetAndALaterOneThanAllowedIsNot) {
     scene = with(scene, "[stability.all]",
                  "[stability.forward_euler]\noutcome = \"stops\"\nwithin = 1\n[stability.all]");
     const Outcome outcome = judge(scene);
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     for (const auto& run : document["runs"])
         if (run["method"] == "forward_euler" && run["variant"] == "soft") {
             EXPECT_EQ(run["outcome"], "stopped") << run;
@@ -99,7 +99,7 @@ TEST_F(StabilityVerb, StepsFindsTheBlowUpOfTheExplicitMethodBesideTheEstimate) {
         call({"stability", "scene.toml", "--steps", "--json", "--quiet", "--set",
               "cortex.elastic.E=320", "--set", "stage[0].duration=0.256 s"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const auto ladder = nlohmann::json::parse(outcome.out)["ladders"][0];
+    const auto ladder = json_of(outcome)["ladders"][0];
     EXPECT_EQ(ladder["method"], "forward_euler");
     const double stable = ladder["largest_stable_s"], unstable = ladder["smallest_unstable_s"];
     EXPECT_LT(stable, unstable);
@@ -114,7 +114,7 @@ TEST_F(StabilityVerb, StepsEndsWithFourWhereNoStepHoldsThatTheEstimateCouldBeCom
     const Outcome outcome = call({"stability", "scene.toml", "--steps", "--json", "--quiet",
                                   "--set", "start.sliver_height=1e-9 um"});
     EXPECT_EQ(outcome.code, 4) << outcome.out << outcome.err;
-    const auto ladder = nlohmann::json::parse(outcome.out)["ladders"][0];
+    const auto ladder = json_of(outcome)["ladders"][0];
     EXPECT_EQ(ladder["met"], false);
     EXPECT_TRUE(ladder["estimate_over_stable"].is_null());
 }
@@ -124,7 +124,7 @@ TEST_F(StabilityVerb, StepsFindsNodesThatBounce) {
         call({"stability", SPHEROSCOPE_SOURCE_DIR "/scenes/bench/doublet_stiff.toml", "--steps",
               "--json", "--quiet", "--threads", "1", "--set", "cells.nodes=42"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     const auto& ladder = document["ladders"][0];
     EXPECT_EQ(ladder["met"], true) << ladder["estimate_over_stable"];
     int n_bouncing = 0;
@@ -142,7 +142,7 @@ TEST_F(StabilityVerb, StepsFindsNodesThatBounce) {
 TEST_F(StabilityVerb, BenchGivesTimesTogetherWithErrorsAndHashes) {
     const Outcome outcome = call({"bench", "--quick", "--repetitions", "1", "--json", "--quiet",
                                   "-o", "here", "--time-limit", "50 ms"});
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     EXPECT_EQ(outcome.code, document["complete"] == true ? 0 : 3) << outcome.err;
     ASSERT_GE(document["rows"].size(), 1U);
     const auto& row = document["rows"][0];
@@ -161,7 +161,7 @@ TEST_F(StabilityVerb, BenchTimesTheKernelThatWasAskedForAndNamesIt) {
     const Outcome outcome = call({"bench", "--cells", "13", "--nodes", "162", "--repetitions", "1",
                                   "--simd", "scalar", "--precision", "double", "--json", "--quiet",
                                   "-o", "kernel", "--time-limit", "1 ms"});
-    const auto document = nlohmann::json::parse(outcome.out);
+    const auto document = json_of(outcome);
     EXPECT_EQ(document["simd"], "scalar");
     EXPECT_EQ(document["precision"], "double");
     for (const auto& row : document["rows"]) {
@@ -177,7 +177,7 @@ TEST_F(StabilityVerb, BenchTakesTheSizesThatWereAskedForAndNamesThemWhenThereAre
     const Outcome outcome = call({"bench", "--cells", "1", "--nodes", "162", "--repetitions", "1",
                                   "--json", "--quiet", "-o", "one"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const auto rows = nlohmann::json::parse(outcome.out)["rows"];
+    const auto rows = json_of(outcome)["rows"];
     ASSERT_EQ(rows.size(), 2U);  // on one thread and on two
     for (const auto& row : rows) EXPECT_EQ(row["cells"], 1);
     const Outcome none = call({"bench", "--cells", "7", "--quiet", "-o", "none"});

@@ -26,7 +26,7 @@ class VerifiedMovie : public ProgramRunner {
         arguments.insert(arguments.begin(), {"movie", "--json", "--quiet", "--verify"});
         const Outcome outcome = call(arguments);
         EXPECT_EQ(outcome.code, code) << outcome.out << outcome.err;
-        return nlohmann::json::parse(outcome.out);
+        return json_of(outcome);
     }
 };
 

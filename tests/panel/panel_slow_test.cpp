@@ -73,10 +73,6 @@ class Panel : public PanelRun {
         return show("scene.toml -o out --threads 1 --paused", script, "",
                     "until_log 'engine waits'; settle\n");
     }
-
-    static nlohmann::json document(const Outcome& outcome) {
-        return nlohmann::json::parse(outcome.out);
-    }
 };
 
 TEST_F(Panel, KeysMoveThroughTheFrames) {
@@ -85,7 +81,7 @@ TEST_F(Panel, KeysMoveThroughTheFrames) {
                                                "xdotool key shift+Right; settle\n"
                                                "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const nlohmann::json report = document(outcome);
+    const nlohmann::json report = json_of(outcome);
     EXPECT_EQ(report["frame"], 12);
     EXPECT_GT(report["frames"], 12);
 }
@@ -94,14 +90,14 @@ TEST_F(Panel, ADragTurnsTheViewAndUndoTurnsItBack) {
     make_run();
     const Outcome turned = show("out/run.h5", k_drag + "xdotool key ctrl+q");
     ASSERT_EQ(turned.code, 0) << turned.err;
-    EXPECT_EQ(document(turned)["view"].get<std::string>().find("azimuth = \"30 deg\""),
+    EXPECT_EQ(json_of(turned)["view"].get<std::string>().find("azimuth = \"30 deg\""),
               std::string::npos);
-    EXPECT_GT(document(turned)["draft_s"], 0.0);  // it was drawn while it was turned
-    EXPECT_GT(document(turned)["dragged_pictures"], 0);
-    EXPECT_GT(document(turned)["dragged_s"], 0.0);
+    EXPECT_GT(json_of(turned)["draft_s"], 0.0);  // it was drawn while it was turned
+    EXPECT_GT(json_of(turned)["dragged_pictures"], 0);
+    EXPECT_GT(json_of(turned)["dragged_s"], 0.0);
     const Outcome back = show("out/run.h5", k_drag + "xdotool key ctrl+z; settle\n"
                                                      "xdotool key ctrl+q");
-    EXPECT_NE(document(back)["view"].get<std::string>().find("azimuth = \"30 deg\""),
+    EXPECT_NE(json_of(back)["view"].get<std::string>().find("azimuth = \"30 deg\""),
               std::string::npos);
 }
 
@@ -114,7 +110,7 @@ TEST_F(Panel, AClickPicksAndTheTableCanBeCopied) {
                                                "xdotool key ctrl+t\n"
                                                "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const nlohmann::json report = document(outcome);
+    const nlohmann::json report = json_of(outcome);
     ASSERT_TRUE(report["selection"].is_object());
     const std::string copied = report["copied"];
     EXPECT_NE(copied.find("of,quantity,value,unit"), std::string::npos);
@@ -133,7 +129,7 @@ TEST_F(Panel, OpensAContactAsInspectDrawsItAndGoesToItsEvents) {
                                                "xdotool key ctrl+Left; settle\n"
                                                "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const nlohmann::json report = document(outcome);
+    const nlohmann::json report = json_of(outcome);
     ASSERT_TRUE(report["contact"].is_string()) << "the click met no contact";
     const std::string contact = report["contact"];
     ASSERT_EQ(report["files"].size(), 1U);
@@ -147,7 +143,7 @@ TEST_F(Panel, OpensAContactAsInspectDrawsItAndGoesToItsEvents) {
     const Outcome events =
         call({"inspect", "out/run.h5", "--contact", contact, "--events", "--json"});
     ASSERT_EQ(events.code, 0) << events.err;
-    const nlohmann::json rows = nlohmann::json::parse(events.out)["events"];
+    const nlohmann::json rows = json_of(events)["events"];
     ASSERT_FALSE(rows.empty());
     int last_event = -1;
     for (const nlohmann::json& row : rows)
@@ -164,7 +160,7 @@ TEST_F(Panel, OpensTheForcesOnANodeAsInspectDrawsThem) {
                                                "until_log 'written to'\n"
                                                "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const nlohmann::json report = document(outcome);
+    const nlohmann::json report = json_of(outcome);
     ASSERT_TRUE(report["node"].is_string());
     const std::string node = report["node"];
     EXPECT_EQ(node, std::to_string(report["selection"]["cell"].get<int>()) + ":" +
@@ -206,7 +202,7 @@ TEST_F(Panel, ShowsThePixelsThatTheMovieHas) {
                                                         "until_log 'written to'\n"
                                                         "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const nlohmann::json report = document(outcome);
+    const nlohmann::json report = json_of(outcome);
     EXPECT_GT(report["draft_s"], 0.0);  // drafts before it leave no trace
     ASSERT_EQ(report["files"].size(), 1U);
     const int last = report["frame"];
@@ -251,7 +247,7 @@ TEST_F(Panel, SurvivesAWindowOfNothing) {
                                                "xdotool key Right; settle\n"
                                                "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(document(outcome)["frame"], 1);
+    EXPECT_EQ(json_of(outcome)["frame"], 1);
 }
 
 TEST_F(Panel, APauseOfTheEngineIsOneAndEachStepIsSingle) {
@@ -270,8 +266,8 @@ TEST_F(Panel, APauseOfTheEngineIsOneAndEachStepIsSingle) {
     ASSERT_EQ(steps.size(), 3U) << outcome.err;
     EXPECT_EQ(steps[1], steps[0] + 1);
     EXPECT_EQ(steps[2], steps[0] + 2);
-    EXPECT_EQ(document(outcome)["run"]["work"]["steps"], steps[2]);
-    EXPECT_EQ(document(outcome)["run"]["outcome"], "stopped");
+    EXPECT_EQ(json_of(outcome)["run"]["work"]["steps"], steps[2]);
+    EXPECT_EQ(json_of(outcome)["run"]["outcome"], "stopped");
     // What was stopped goes on without a display.
     EXPECT_EQ(call({"run", "scene.toml", "-o", "out", "--resume", "--quiet"}).code, 0);
 }
@@ -291,7 +287,7 @@ TEST_F(Panel, TakesTheNextStepApartWithoutMakingIt) {
         outcome.err, taken, std::regex("took the step at t = ([^ ]*) s apart, ([0-9]+) phases")));
     EXPECT_EQ(taken[1], paused[1]) << outcome.err;
     EXPECT_GE(std::stoi(taken[2]), 2);  // forces, and a solve
-    EXPECT_EQ(document(outcome)["run"]["work"]["steps"], std::stoi(paused[2]) + 1);
+    EXPECT_EQ(json_of(outcome)["run"]["work"]["steps"], std::stoi(paused[2]) + 1);
 }
 
 TEST_F(Panel, WhatIsChangedInALiveRunIsRepeatedToTheBitWithoutADisplay) {
@@ -302,15 +298,15 @@ TEST_F(Panel, WhatIsChangedInALiveRunIsRepeatedToTheBitWithoutADisplay) {
                   "xdotool key space; until_log 'the run is over'\n"
                   "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const nlohmann::json report = document(outcome);
+    const nlohmann::json report = json_of(outcome);
     const std::string changes = report["changes"];
     EXPECT_NE(changes.find("cortex.tension.gamma"), std::string::npos) << changes;
     const Outcome again = call({"run", "out/run.h5", "-o", "again", "--json", "--quiet"});
     EXPECT_EQ(again.code, 0) << again.err;
-    EXPECT_EQ(document(again)["state_hash"], report["run"]["state_hash"]);
-    EXPECT_EQ(document(again)["frames"], report["run"]["frames"]);
+    EXPECT_EQ(json_of(again)["state_hash"], report["run"]["state_hash"]);
+    EXPECT_EQ(json_of(again)["frames"], report["run"]["frames"]);
     const Outcome without = call({"run", "scene.toml", "-o", "w", "--json", "--quiet"});
-    EXPECT_NE(document(without)["state_hash"], report["run"]["state_hash"]);
+    EXPECT_NE(json_of(without)["state_hash"], report["run"]["state_hash"]);
 }
 
 TEST_F(PanelRun, WithoutADisplaySaysWhatToDoInstead) {
