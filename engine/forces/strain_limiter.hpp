@@ -18,9 +18,9 @@ struct StrainLimiterParameters {
 };
 
 /// Keeps triangles of soft cortices (E t < gamma / 2) from collapsing. Not in the paper: there
-/// springs alone hold the mesh, and springs this soft do not. Per triangle kappa S* g(psi), g =
-/// y^2/(y + psi0), y = max(0, psi - psi0): exactly zero within the silent range, continuous to the
-/// first derivative, and growing like J^-2 towards zero area. Makes no net force or torque.
+/// springs alone hold the mesh, and springs this soft do not. Per triangle kappa S* g(psi) with
+/// g = y^2/(y + psi0), y = max(0, psi - psi0): exactly zero within the silent range, continuous to
+/// the first derivative, and growing like J^-2 towards zero area. Makes no net force or torque.
 class StrainLimiter final : public ForceTerm {
   public:
     /// Throws Error unless kappa >= 0 and psi0 > 0.

@@ -181,7 +181,8 @@ const auto& tables() {
         Table{"cortex.viscosity", part, &enter<&Scene::cortex, &Cortex::viscosity>, {},
               "Viscosity of the cortex, eqns (15), (16)."},
         Table{"cortex.regularisation", part, &enter<&Scene::cortex, &Cortex::regularisation>, {},
-              "Strain limiter and fold stop for soft cells (they act where E t < gamma / 2); not in the paper."},
+              "Strain limiter and fold stop for soft cells (they act where E t < gamma / 2); not in "
+              "the paper."},
         Table{"cytosol", part, &enter<&Scene::cytosol>, {},
               "Pressure that holds the volume of each cell, eqns (12), (13)."},
         Table{"medium", part, &enter<&Scene::medium>, {},
