@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +49,7 @@ Runs measure_files(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         try {
             runs.measured.push_back(cli::measure_stored_run(file));
-            spdlog::info("{}: measured", file);
+            cli::log_info(fmt::format("{}: measured", file));
         } catch (const cli::NothingToMeasure& error) {
             runs.left_out.push_back({file, error.reason()});
         }
@@ -201,7 +200,8 @@ ExitCode make_figures(const FiguresArguments& arguments, const cli::Invocation& 
                     "spheroscope figures out/*/run.h5 -o out/figures");
     const std::vector<const figures::FigureRow*> wanted = wanted_figures(arguments.only);
     const Runs runs = measure_files(arguments.files);
-    for (const LeftOut& run : runs.left_out) spdlog::warn("{}: left out: {}", run.file, run.reason);
+    for (const LeftOut& run : runs.left_out)
+        cli::log_warning(fmt::format("{}: left out: {}", run.file, run.reason));
     if (runs.measured.empty())
         throw Error("none of these runs can serve a figure", "the reasons are above");
     const std::vector<SetupStatistics> setups = statistics::group_by_setup(runs.measured);
@@ -216,7 +216,7 @@ ExitCode make_figures(const FiguresArguments& arguments, const cli::Invocation& 
         std::vector<std::string> of_figure;
         if (figure.plot.panels.empty())
             for (const std::string& reason : figure.missing)
-                spdlog::warn("{} is not drawn: {}", name, reason);
+                cli::log_warning(fmt::format("{} is not drawn: {}", name, reason));
         else
             of_figure = write_figure(figure, folder + "/" + name, remarks, arguments, invocation);
         drawn.push_back({{"name", name},

@@ -1,6 +1,7 @@
 #include "engine/base/counted.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/simulate.hpp"
 #include "engine/cli/version.hpp"
@@ -14,7 +15,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -184,13 +184,13 @@ ExitCode verify(const MovieArguments& arguments, const cli::Invocation& invocati
                         "anew");
         scratch.emplace();
         const cli::RunPlace place{scratch->path().string()};
-        spdlog::info("no run beside the picture: its own scene is simulated anew");
+        cli::log_info("no run beside the picture: its own scene is simulated anew");
         const auto name = file.texts.find("Scene name");
         const scene::Scene scene = scene::parse_scene(
             file.texts.at("Scene"), name == file.texts.end() ? "scene" : name->second);
         const cli::SimulationSummary summary =
             cli::simulate(scene, place, arguments.common, false, invocation);
-        if (!summary.result.message.empty()) spdlog::error("{}", summary.result.message);
+        if (!summary.result.message.empty()) cli::log_error(summary.result.message);
         if (summary.code == ExitCode::interrupted || summary.code == ExitCode::terminated)
             return summary.code;
         run_file = place.run_file();
@@ -254,7 +254,7 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
             choose(pictures_of(RunFileReader(run_file), arguments.common), arguments.picture);
     } else {
         const scene::Scene scene = scene::load_scene(arguments.input, arguments.common.overrides());
-        for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
+        cli::log_warnings(scene.warnings);
         if (scene.pictures.empty())
             throw Error(Loc{arguments.input, 0, 0}, "a movie needs at least one [[picture]]",
                         "`run` simulates without pictures");
@@ -263,14 +263,14 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
         folder = place.folder;
         run_file = place.run_file();
         if (!arguments.overwrite && has_finished_run(place, scene)) {
-            spdlog::info("{} holds this run already", run_file);
+            cli::log_info(fmt::format("{} holds this run already", run_file));
         } else {
             const cli::SimulationSummary summary =
                 cli::simulate(scene, place, arguments.common, arguments.overwrite, invocation);
             outcome.code = summary.code;
             outcome.document["run"] = cli::summary_json(summary, place);
             outcome.text += cli::summary_text(summary, place);
-            if (!summary.result.message.empty()) spdlog::error("{}", summary.result.message);
+            if (!summary.result.message.empty()) cli::log_error(summary.result.message);
             // A run that will go on later has no movie yet; one that became unstable has.
             const RunVerdict verdict = summary.result.verdict;
             is_drawn = verdict == RunVerdict::finished || verdict == RunVerdict::cap ||

@@ -3,6 +3,7 @@
 #include "engine/base/counted.hpp"
 #include "engine/base/error.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/run/exploded.hpp"
 #include "render/png.hpp"
 #include "render/provenance.hpp"
@@ -15,7 +16,6 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <chrono>
@@ -255,10 +255,11 @@ void App::pick_at(const Sight& sight) {
                                    : pick(*shown_->request.snapshot, sight);
     report_.longest_pick_s = std::max(report_.longest_pick_s, seconds_since(begin));
     if (model_.selection)
-        spdlog::info("picked node {} of cell {}{}", model_.selection->node, model_.selection->cell,
-                     model_.selection->other_cell < 0
-                         ? ""
-                         : fmt::format(", contact with cell {}", model_.selection->other_cell));
+        cli::log_info(fmt::format(
+            "picked node {} of cell {}{}", model_.selection->node, model_.selection->cell,
+            model_.selection->other_cell < 0
+                ? ""
+                : fmt::format(", contact with cell {}", model_.selection->other_cell)));
 }
 
 void App::take_engines_news() {
@@ -270,22 +271,22 @@ void App::take_engines_news() {
     const std::string message = live_->channel().take_message();
     if (!message.empty()) {
         model_.message = message;
-        spdlog::info("{}", message);
+        cli::log_info(message);
     }
     if (const SnapshotPtr look = live_->newest_look();
         look != nullptr && !engine_runs() && look->diagnostics.steps != logged_step_) {
         logged_step_ = look->diagnostics.steps;
-        spdlog::info("paused at t = {:.6g} s, step {}", look->time_s, logged_step_);
+        cli::log_info(fmt::format("paused at t = {:.6g} s, step {}", look->time_s, logged_step_));
     }
     if (auto anatomy = live_->channel().take_anatomy()) {
-        spdlog::info("took the step at t = {:.6g} s apart, {} phases", anatomy->time_s,
-                     anatomy->phases.size());
+        cli::log_info(fmt::format("took the step at t = {:.6g} s apart, {} phases", anatomy->time_s,
+                                  anatomy->phases.size()));
         model_.live->anatomy = std::move(anatomy);
         model_.live->moment = 0;
         model_.live->anatomy_is_new = true;
     }
     if (live_->is_over() && !std::exchange(knows_end_, true)) {
-        spdlog::info("the run is over");
+        cli::log_info("the run is over");
         model_.message = "the run is over";
     }
     if (cli::interrupt_signal() != 0) window_.close();
@@ -309,8 +310,8 @@ void App::take_news() {
         survey_ = frames_.survey();
         surveyed_at_ = Clock::now();
         if (live_ == nullptr && survey_.n_frames() == model_.playback.n_frames())
-            spdlog::info("all of the run ({}) was read after {:.2f} s",
-                         counted(survey_.n_frames(), "frame"), seconds_since(begin_));
+            cli::log_info(fmt::format("all of the run ({}) was read after {:.2f} s",
+                                      counted(survey_.n_frames(), "frame"), seconds_since(begin_)));
     }
     status_ = frames_.failure();
     if (status_.empty() && survey_.n_frames() < model_.playback.n_frames())
@@ -362,7 +363,7 @@ bool App::take_picture() {
         if (!shown_) {
             report_.first_picture_s = seconds_since(begin_);
             frames_.begin_survey();
-            spdlog::info("first picture after {:.2f} s", report_.first_picture_s);
+            cli::log_info(fmt::format("first picture after {:.2f} s", report_.first_picture_s));
         }
         (painted->request.view.quality == render::Quality::full ? report_.full_s
                                                                 : report_.draft_s) =
@@ -416,7 +417,7 @@ void App::write_image(const std::string& name, const render::Image& image,
         render::write_png(path, image, texts);
         report_.files.push_back(path);
         model_.message = "written to " + path;
-        spdlog::info("written to {}", path);
+        cli::log_info(fmt::format("written to {}", path));
     } catch (const Error& error) {
         model_.message = error.what();
     }

@@ -1,5 +1,6 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/cli/options.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/cli/version.hpp"
@@ -12,7 +13,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <filesystem>
 #include <memory>
@@ -87,7 +87,7 @@ ExitCode view_file(const ViewArguments& arguments) {
 ExitCode view_scene(const ViewArguments& arguments, const cli::Invocation& invocation) {
     const cli::CommonOptions& common = arguments.common;
     const scene::Scene scene = scene::load_scene(arguments.input, common.overrides());
-    for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
+    cli::log_warnings(scene.warnings);
     if (scene.pictures.empty())
         throw Error(Loc{arguments.input, 0, 0}, "a view needs at least one [[picture]]",
                     "`run` simulates without pictures");
@@ -99,7 +99,7 @@ ExitCode view_scene(const ViewArguments& arguments, const cli::Invocation& invoc
     viewer::LiveRun live(scene, place, quiet, {arguments.overwrite, arguments.paused}, invocation,
                          [] { viewer::Window::wake(); });
     viewer::Painter painter(live.header(), scene.pictures.front(), [] { viewer::Window::wake(); });
-    if (arguments.paused) spdlog::info("the engine waits: Space plays, . makes one step");
+    if (arguments.paused) cli::log_info("the engine waits: Space plays, . makes one step");
     viewer::PanelModel model(scene.pictures);
     model.live.emplace();
     model.follow_engine();
@@ -121,11 +121,12 @@ ExitCode view_scene(const ViewArguments& arguments, const cli::Invocation& invoc
         fmt::print("{}model time           {:.3g} s in a second of wall time, pauses left out\n",
                    cli::summary_text(summary, place), pace);
     }
-    if (!summary.result.message.empty()) spdlog::error("{}", summary.result.message);
+    if (!summary.result.message.empty()) cli::log_error(summary.result.message);
     const bool by_hand =
         summary.result.verdict == RunVerdict::stopped && cli::interrupt_signal() == 0;
     if (by_hand)
-        spdlog::info("the window was closed; `run --resume` goes on with {}", place.run_file());
+        cli::log_info(
+            fmt::format("the window was closed; `run --resume` goes on with {}", place.run_file()));
     return by_hand ? ExitCode::ok : summary.code;
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/counted.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/stages/bead_packing.hpp"
 #include "engine/stages/jamming.hpp"
@@ -9,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <array>
 #include <chrono>
@@ -101,13 +101,13 @@ claims::MeasuredSetup measure_beads(const claims::ClaimedSetup& setup, const std
         try {
             if (!std::filesystem::exists(path)) {
                 if (!makes_runs) continue;
-                spdlog::info("{}, seed {}", setup.name, seed);
+                log_info(fmt::format("{}, seed {}", setup.name, seed));
                 write(path, jam(setup.beads, seed, version), setup.beads, seed);
             }
             all.push_back(read(path, setup.beads, seed));
             measured.runs.push_back({seed, "jammed", all.back().version, 0.0, all.back().wall_s});
         } catch (const Error& error) {
-            spdlog::error("{}, seed {}: {}", setup.name, seed, error.what());
+            log_error(fmt::format("{}, seed {}: {}", setup.name, seed, error.what()));
             measured.troubles.push_back(fmt::format("seed {}: {}", seed, error.what()));
         }
     }

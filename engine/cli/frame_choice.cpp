@@ -1,10 +1,10 @@
 #include "engine/cli/frame_choice.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/scene/units.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <charconv>
 #include <cmath>
@@ -55,8 +55,8 @@ int FrameChoice::number(const RunFileReader& reader) const {
         if (std::abs(reader.time(i) - wanted_s) <= std::abs(reader.time(nearest) - wanted_s))
             nearest = i;
     if (std::abs(reader.time(nearest) - wanted_s) > k_resolution_s)
-        spdlog::info("frame {}, t = {:g} s, is the nearest to t = {:g} s", nearest,
-                     reader.time(nearest), wanted_s);
+        log_info(fmt::format("frame {}, t = {:g} s, is the nearest to t = {:g} s", nearest,
+                             reader.time(nearest), wanted_s));
     return nearest;
 }
 

@@ -24,6 +24,13 @@ void start_log() {
     spdlog::set_default_logger(logger);
 }
 
+void log_info(const std::string& message) { spdlog::info("{}", message); }
+void log_warning(const std::string& message) { spdlog::warn("{}", message); }
+void log_warnings(std::span<const std::string> messages) {
+    for (const std::string& message : messages) log_warning(message);
+}
+void log_error(const std::string& message) { spdlog::error("{}", message); }
+
 void make_log_quiet() { spdlog::set_level(spdlog::level::warn); }
 
 void print_error(const std::string& message) {

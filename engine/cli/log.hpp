@@ -1,12 +1,20 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 namespace spheroscope::cli {
 
-/// Sends the log (spdlog's default logger) to stderr, "info: ..." and "warning: ...", coloured on a
-/// terminal unless NO_COLOR is set and not empty (no-color.org).
+/// Sends the log to stderr, "info: ..." and "warning: ...", coloured on a terminal
+/// unless NO_COLOR is set and not empty (no-color.org).
 void start_log();
+
+/// One line of the log. Only this file's source sees spdlog: its headers take seconds of every
+/// source that includes them.
+void log_info(const std::string& message);
+void log_warning(const std::string& message);
+void log_warnings(std::span<const std::string> messages);
+void log_error(const std::string& message);
 
 /// Only warnings from here on.
 void make_log_quiet();

@@ -2,11 +2,11 @@
 
 #include "engine/base/counted.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/reports/machine.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <cmath>
 #include <csignal>
@@ -79,11 +79,11 @@ std::vector<std::string> draw_report_plot(const reports::DrawPlot& draw, const r
         for (const reports::Plot::Series& series : panel.series)
             has_points = has_points || !series.x.empty();
     if (!has_points) {
-        spdlog::warn("no plot: there is no number to draw");
+        log_warning("no plot: there is no number to draw");
         return {};
     }
     if (!draw) {
-        spdlog::info("no plot: this program was built without pictures (SPHEROSCOPE_RENDER)");
+        log_info("no plot: this program was built without pictures (SPHEROSCOPE_RENDER)");
         return {};
     }
     return draw(plot, path);

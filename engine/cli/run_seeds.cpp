@@ -2,12 +2,12 @@
 
 #include "engine/base/counted.hpp"
 #include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/seed_means_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 
@@ -121,15 +121,15 @@ ExitCode run_seeds(const std::string& scene_file, const std::vector<std::uint64_
                    const CommonOptions& options, bool overwrite, const Invocation& invocation) {
     // A mistake in the scene is the same for all seeds.
     const scene::Scene scene = scene::load_scene(scene_file, options.overrides());
-    for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
+    log_warnings(scene.warnings);
     const std::string folder = run_place(scene_file, options).folder;
     std::vector<SeedRun> runs;
     for (const std::uint64_t seed : seeds) {
-        spdlog::info("seed {} ({} of {})", seed, runs.size() + 1, seeds.size());
+        log_info(fmt::format("seed {} ({} of {})", seed, runs.size() + 1, seeds.size()));
         runs.push_back(run_seed(scene_file, seed, folder, options, overwrite, invocation));
         if (runs.back().was_interrupted()) break;
         if (!runs.back().came_to_its_end())
-            spdlog::error("seed {} failed: {}", seed, runs.back().reason);
+            log_error(fmt::format("seed {} failed: {}", seed, runs.back().reason));
     }
     const ExitCode code = code_of(runs);
     if (options.json)

@@ -2,6 +2,7 @@
 
 #include "engine/cli/accuracy_text.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/cli/store_thread.hpp"
@@ -18,7 +19,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <exception>
@@ -74,7 +74,7 @@ StartPoint point_to_resume(const RunPlace& place, const scene::Scene& scene) {
         if (has_checkpoint)
             throw Error(file + ": there is a checkpoint, but the run that it belongs to is gone",
                         "without --resume the run begins anew");
-        spdlog::info("{}: there is nothing to go on from; the run begins", file);
+        log_info(fmt::format("{}: there is nothing to go on from; the run begins", file));
         return {};
     }
     StartPoint start{.state = {}, .continues_file = true};
@@ -87,10 +87,10 @@ StartPoint point_to_resume(const RunPlace& place, const scene::Scene& scene) {
     }
     if (has_checkpoint) {
         const LoadedCheckpoint loaded = read_newest_checkpoint(file);
-        if (!loaded.note.empty()) spdlog::warn("{}", loaded.note);
+        if (!loaded.note.empty()) log_warning(loaded.note);
         start.state = load_run_state(loaded.data);
     } else if (!start.is_over) {
-        spdlog::info("{}: stopped before its first checkpoint; the run begins anew", file);
+        log_info(fmt::format("{}: stopped before its first checkpoint; the run begins anew", file));
     }
     return start;
 }
@@ -144,7 +144,7 @@ void measure_time_error(const scene::Scene& scene, const EngineOptions& options,
                         const std::atomic<bool>& stop, RunResult& result) {
     const MethodRow& method = chosen_method(scene);
     if (!method.moves_in_time() || result.work.steps == 0) return;
-    spdlog::info("once more with half the steps, for the error of the time steps");
+    log_info("once more with half the steps, for the error of the time steps");
     EngineOptions once = options;
     once.wall_limit_s = 0.0;
     Engine engine(with_half_steps(scene, result.time_s, result.work.steps), once,
@@ -156,8 +156,9 @@ void measure_time_error(const scene::Scene& scene, const EngineOptions& options,
     if (is_over(other.verdict))
         set_time_error(result.errors, other.totals, method.order);
     else
-        spdlog::warn("the run with half the steps ended as '{}': its error is not measured {}",
-                     other.outcome, other.message);
+        log_warning(
+            fmt::format("the run with half the steps ended as '{}': its error is not measured {}",
+                        other.outcome, other.message));
 }
 
 /// The same run, without frames, on the next coarser mesh. If it comes to no end the error of the
@@ -167,8 +168,8 @@ void estimate_mesh_error(const scene::Scene& scene, const EngineOptions& options
     // Each subdivision makes 4 n - 6 nodes of n.
     scene::Scene coarser = scene::on_mesh(scene, (scene.cells.nodes + 6) / 4);
     for (scene::Stage& stage : coarser.stages) stage.frames = 0;
-    spdlog::info("once more with {} nodes per cell, for the error of the mesh",
-                 coarser.cells.nodes);
+    log_info(fmt::format("once more with {} nodes per cell, for the error of the mesh",
+                         coarser.cells.nodes));
     EngineOptions once = options;
     once.wall_limit_s = 0.0;
     Engine engine(coarser, once);
@@ -179,8 +180,9 @@ void estimate_mesh_error(const scene::Scene& scene, const EngineOptions& options
     if (is_over(other.verdict))
         add_mesh_error(result.errors, other.totals);
     else
-        spdlog::warn("the run on the coarser mesh ended as '{}': no error of the mesh {}",
-                     other.outcome, other.message);
+        log_warning(
+            fmt::format("the run on the coarser mesh ended as '{}': no error of the mesh {}",
+                        other.outcome, other.message));
 }
 
 SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene& scene,
@@ -261,7 +263,7 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     const StartPoint start = start_point(place, scene, changes, options.resume, overwrite);
     if (start.state) engine.resume(*start.state);
     if (start.is_over) {
-        spdlog::info("{}: this run is finished; nothing is left to do", place.run_file());
+        log_info(fmt::format("{}: this run is finished; nothing is left to do", place.run_file()));
         return summary_of_finished(place, scene, engine);
     }
     if (!start.continues_file) remove_checkpoints(place.run_file());

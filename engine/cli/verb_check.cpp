@@ -1,5 +1,6 @@
 #include "engine/base/counted.hpp"
 #include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/cli/options.hpp"
 #include "engine/cli/verb.hpp"
 #include "engine/run/expectations.hpp"
@@ -10,7 +11,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <memory>
@@ -135,7 +135,7 @@ ExitCode check(const CheckArguments& arguments) {
             print_json(document);
             return ExitCode::ok;
         }
-        for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
+        log_warnings(scene.warnings);
         if (arguments.print_config)
             fmt::print("{}", scene.resolved_toml);
         else if (arguments.explain)

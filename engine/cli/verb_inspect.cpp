@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <charconv>
 #include <filesystem>
@@ -214,7 +213,7 @@ void show_node(const InspectArguments& arguments, const RunFileReader& reader,
     if (path.empty()) return;
     check_can_draw(drawers);
     drawers.node_sheet(moment, invocation.version, invocation.command_line, path);
-    spdlog::info("written to {}", path);
+    log_info(fmt::format("written to {}", path));
 }
 
 /// All contacts of one frame.
@@ -247,7 +246,7 @@ void draw(const InspectArguments& arguments, const inspect::ContactStory& story,
         drawers.contact_sheet(story, frame, path);
     else
         drawers.contact_movie(story, path);
-    spdlog::info("written to {}", path);
+    log_info(fmt::format("written to {}", path));
 }
 
 ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invocation,
@@ -267,9 +266,10 @@ ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invoc
     const int frame = arguments.frame.number(reader);
     if (key) inspect::check_cells(*reader.header(), *key);
     if (!reader.is_complete())
-        spdlog::info("{}: the run has not come to its end ({}); it has {} so far", reader.path(),
-                     reader.outcome().empty() ? "not ended" : reader.outcome(),
-                     counted(reader.n_frames(), "frame"));
+        log_info(fmt::format("{}: the run has not come to its end ({}); it has {} so far",
+                             reader.path(),
+                             reader.outcome().empty() ? "not ended" : reader.outcome(),
+                             counted(reader.n_frames(), "frame")));
     const SnapshotPtr snapshot = reader.frame(frame);
     const bool is_whole_run = arguments.history || arguments.events;
     if (arguments.step) {
@@ -277,10 +277,10 @@ ExitCode inspect_file(const InspectArguments& arguments, const Invocation& invoc
         return ExitCode::ok;
     }
     if (snapshot->stage_name == "anneal")
-        spdlog::warn(
+        log_warning(fmt::format(
             "frame {} is of the seeding, which packs beads: its forces are what cells would feel "
             "in their places, and have moved nothing",
-            frame);
+            frame));
     if (!key) {
         if (arguments.node.empty())
             show_frame(arguments, reader, snapshot);

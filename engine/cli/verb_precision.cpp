@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <filesystem>
 #include <limits>
@@ -56,7 +55,7 @@ ExitCode precision(const PrecisionArguments& arguments, const reports::DrawPlot&
         throw Error("--most-nodes is about mesh levels, and these are steps and tolerances",
                     "add --mesh, or --set cells.nodes=N for another mesh");
     const scene::Scene scene = scene::load_scene(arguments.scene, arguments.common.overrides());
-    for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
+    log_warnings(scene.warnings);
     const std::string folder =
         report_folder(arguments.common,
                       "out/precision/" + std::filesystem::path(arguments.scene).stem().string());

@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -95,7 +94,7 @@ std::optional<statistics::RunStatistics> measured_run(const ClaimTable& table,
     const scene::Scene scene = scene_of(table, setup, seed);
     if (!is_made(place.run_file(), scene)) {
         if (!extent.makes_runs) return std::nullopt;
-        spdlog::info("{}, seed {}", setup.name, seed);
+        log_info(fmt::format("{}, seed {}", setup.name, seed));
         make_run(scene, place, options, invocation);
     }
     return measure_stored_run(place.run_file());
@@ -134,7 +133,7 @@ MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
         } catch (const Error& error) {
             if (error.code() == ExitCode::interrupted || error.code() == ExitCode::terminated)
                 break;
-            spdlog::error("{}, seed {}: {}", setup.name, seed, error.what());
+            log_error(fmt::format("{}, seed {}: {}", setup.name, seed, error.what()));
             measured.troubles.push_back(fmt::format("seed {}: {}", seed, error.what()));
         }
     }

@@ -1,4 +1,5 @@
 #include "engine/cli/json_output.hpp"
+#include "engine/cli/log.hpp"
 #include "engine/cli/run_seeds.hpp"
 #include "engine/cli/seeds.hpp"
 #include "engine/cli/simulate.hpp"
@@ -7,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include <filesystem>
 #include <memory>
@@ -58,7 +58,7 @@ ExitCode run(const RunArguments& arguments, const Invocation& invocation) {
                          arguments.overwrite, invocation);
     }
     const auto [scene, changes] = task_of(arguments);
-    for (const std::string& warning : scene.warnings) spdlog::warn("{}", warning);
+    log_warnings(scene.warnings);
     const RunPlace place = run_place(arguments.scene, arguments.common);
     const SimulationSummary summary =
         simulate(scene, place, arguments.common, arguments.overwrite, invocation, changes);
@@ -66,7 +66,7 @@ ExitCode run(const RunArguments& arguments, const Invocation& invocation) {
         print_json(summary_json(summary, place));
     else
         fmt::print("{}", summary_text(summary, place));
-    if (!summary.result.message.empty()) spdlog::error("{}", summary.result.message);
+    if (!summary.result.message.empty()) log_error(summary.result.message);
     return summary.code;
 }
 
