@@ -4,21 +4,13 @@
 namespace spheroscope {
 namespace {
 
-namespace fs = std::filesystem;
-
 using BadInputOfPictures = ProgramRunner;
 
 TEST_F(BadInputOfPictures, OfAFileThatIsNoRunIsRefusedByEveryReader) {
     if (!has_pictures()) GTEST_SKIP() << "built without pictures";
-    put_run();
-    fs::copy_file(path("o/run.h5"), path("cut.h5"));
-    fs::resize_file(path("cut.h5"), fs::file_size(path("cut.h5")) / 2);
-    fs::copy_file(path("o/run.checkpoint.h5"), path("foreign.h5"));
-    write_file("text.h5", "not HDF5 at all");
-    fs::create_directory(path("folder.h5"));
+    const std::vector<std::string> no_runs = put_files_that_are_no_run();
     for (const std::string verb : {"render", "movie", "export", "figures"})
-        for (const std::string name :
-             {"cut.h5", "foreign.h5", "text.h5", "folder.h5", "missing.h5"}) {
+        for (const std::string& name : no_runs) {
             SCOPED_TRACE(verb + " " + name);
             const Outcome outcome = call({verb, name});
             EXPECT_EQ(outcome.code, 2) << outcome.err;

@@ -139,13 +139,7 @@ TEST_F(BadInput, OfChangesToARunThatIsThereIsNotIgnored) {
 
 // Of the verbs that draw: bad_input_slow_test.cpp
 TEST_F(BadInput, OfAFileThatIsNoRunIsRefusedByInfoAndByAScene) {
-    put_run();
-    fs::copy_file(path("o/run.h5"), path("cut.h5"));
-    fs::resize_file(path("cut.h5"), fs::file_size(path("cut.h5")) / 2);
-    fs::copy_file(path("o/run.checkpoint.h5"), path("foreign.h5"));
-    write_file("text.h5", "not HDF5 at all");
-    fs::create_directory(path("folder.h5"));
-    for (const std::string name : {"cut.h5", "foreign.h5", "text.h5", "folder.h5", "missing.h5"}) {
+    for (const std::string& name : put_files_that_are_no_run()) {
         expect_refused({"info", name}, name);
         const std::string cells = "arrangement = \"file\"\nfile = \"" + name + "\"";
         std::string text = changed("arrangement = \"packing\"\ncount = 4", cells);

@@ -121,6 +121,16 @@ void ProgramRunner::put_run() const {
     }
 }
 
+std::vector<std::string> ProgramRunner::put_files_that_are_no_run() const {
+    put_run();
+    fs::copy_file(path("o/run.h5"), path("cut.h5"));
+    fs::resize_file(path("cut.h5"), fs::file_size(path("cut.h5")) / 2);
+    fs::copy_file(path("o/run.checkpoint.h5"), path("foreign.h5"));
+    write_file("text.h5", "not HDF5 at all");
+    fs::create_directory(path("folder.h5"));
+    return {"cut.h5", "foreign.h5", "text.h5", "folder.h5", "missing.h5"};
+}
+
 void ProgramRunner::write_file(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
 }

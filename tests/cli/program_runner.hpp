@@ -54,6 +54,9 @@ class ProgramRunner : public testing::Test {
     /// Writes all_stages_scene() as scene.toml and its finished run as the folder o: what
     /// `run scene.toml -o o` of the program without pictures leaves, made once in a process.
     void put_run() const;
+    /// put_run(), and beside it what is no run: half a one, a checkpoint, a text, a folder. Returns
+    /// their names, and one of a file that is not there.
+    [[nodiscard]] std::vector<std::string> put_files_that_are_no_run() const;
     void write_file(const std::string& name, const std::string& text) const;
     [[nodiscard]] std::filesystem::path path(const std::string& name) const {
         return folder_ / name;
