@@ -5,6 +5,7 @@
 #include "engine/model/geometry.hpp"
 #include "engine/model/model.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -46,22 +47,29 @@ template <class T> struct PackedTriangles {
         const auto c = static_cast<std::size_t>(cell);
         const std::span<const Vec3> x = model.cell_nodes(x_um, cell);
         origin_um[c] = origin;
+        thread_local std::vector<std::array<T, 3>> local;  // positions of the cell's nodes
+        local.resize(x.size());
+        for (std::size_t i = 0; i < x.size(); ++i) local[i] = in_lanes(x[i] - origin);
         for (std::size_t t = 0; t < n_triangles; ++t) {
             const std::size_t g = c * n_triangles + t;
             T* out = record.data() + g * k_record;
             const auto& nodes = model.topology->triangles[t];
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Vec3 local = x[static_cast<std::size_t>(nodes[i])] - origin;
-                for (Eigen::Index k = 0; k < 3; ++k) *out++ = static_cast<T>(local[k]);
-            }
-            const Vec3 middle = geometry.centroid_um[g] - origin;
+            for (const int node : nodes)
+                out = std::ranges::copy(local[static_cast<std::size_t>(node)], out).out;
+            const std::array<T, 3> n = in_lanes(geometry.normal[g]);
+            const std::array<T, 3> middle = in_lanes(geometry.centroid_um[g] - origin);
+            std::ranges::copy(n, out);
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto component = static_cast<Eigen::Index>(k);
-                *out++ = normal[k][g] = static_cast<T>(geometry.normal[g][component]);
-                centroid_um[k][g] = static_cast<T>(middle[component]);
+                normal[k][g] = n[k];
+                centroid_um[k][g] = middle[k];
             }
             reach_um[g] = static_cast<T>(geometry.reach_um[g]);
         }
+    }
+
+  private:
+    static std::array<T, 3> in_lanes(const Vec3& v) {
+        return {static_cast<T>(v.x()), static_cast<T>(v.y()), static_cast<T>(v.z())};
     }
 };
 

@@ -11,6 +11,7 @@
 #include "engine/contact/pair_lanes.hpp"
 #include "engine/contact/pair_limits.hpp"
 #include "engine/contact/pair_polygon-inl.hpp"
+#include "engine/contact/pair_records-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -18,43 +19,6 @@ HWY_BEFORE_NAMESPACE();
 namespace spheroscope::lanes {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-template <class V> struct Point3 { V x, y, z; };
-
-template <class V> HWY_INLINE V dot(const Point3<V>& p, const Point3<V>& q) {
-    return hn::MulAdd(p.x, q.x, hn::MulAdd(p.y, q.y, p.z * q.z));
-}
-
-/// Corners and outward normals, relative to corner 0 of A: nothing cancels far from an origin.
-template <class V> struct TrianglePair { Point3<V> a[3], b[3], normal_a, normal_b; };
-
-template <class D, class VI, class V = hn::Vec<D>>
-HWY_INLINE Point3<V> gathered(D d, const hn::TFromD<D>* base, VI index, std::size_t first) {
-    return {hn::GatherIndex(d, base + first, index), hn::GatherIndex(d, base + first + 1, index),
-            hn::GatherIndex(d, base + first + 2, index)};
-}
-
-/// index_a, index_b: positions in the records of A and B.
-template <class D, class VI, class V = hn::Vec<D>> HWY_INLINE TrianglePair<V>
-gathered_pair(D d, const Task<hn::TFromD<D>>& task, VI index_a, VI index_b) {
-    const V zero = hn::Zero(d);
-    const Point3<V> a0 = gathered(d, task.a.record, index_a, 0);
-    const Point3<V> shift{hn::Set(d, task.offset[0]) - a0.x, hn::Set(d, task.offset[1]) - a0.y,
-                          hn::Set(d, task.offset[2]) - a0.z};
-    TrianglePair<V> pair;
-    pair.normal_a = gathered(d, task.a.record, index_a, 9);
-    pair.normal_b = gathered(d, task.b.record, index_b, 9);
-    pair.a[0] = {zero, zero, zero};
-    for (std::size_t i = 1; i < 3; ++i) {
-        const Point3<V> corner = gathered(d, task.a.record, index_a, 3 * i);
-        pair.a[i] = {corner.x - a0.x, corner.y - a0.y, corner.z - a0.z};
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Point3<V> corner = gathered(d, task.b.record, index_b, 3 * i);
-        pair.b[i] = {corner.x + shift.x, corner.y + shift.y, corner.z + shift.z};
-    }
-    return pair;
-}
 
 /// The plane that bisects the wedge between the two triangles' planes: its unit normal n, a frame
 /// e1, e2, and delta, the overlap along n.
@@ -81,8 +45,7 @@ HWY_INLINE ContactPlane<V> contact_plane(D d, const TrianglePair<V>& pair, hn::T
     const Point3<V> e1{hn::IfThenElse(across_x, zero, u),
                        hn::IfThenElse(across_x, hn::Neg(u), zero),
                        hn::IfThenElse(across_x, w, hn::Neg(w))};
-    const Point3<V> e2{hn::MulSub(n.y, e1.z, n.z * e1.y), hn::MulSub(n.z, e1.x, n.x * e1.z),
-                       hn::MulSub(n.x, e1.y, n.y * e1.x)};
+    const Point3<V> e2 = cross(n, e1);
     const Point3<V> sum{n_a.x + n_b.x, n_a.y + n_b.y, n_a.z + n_b.z};
     const V two_h0 = hn::Set(d, h0 + h0);
     return {
@@ -163,16 +126,15 @@ HWY_INLINE PressureIntegrals<V> integrated_pressure(D d, const Task<hn::TFromD<D
             hn::MulSub(hn::Set(d, static_cast<T>(0.5)) * k, overlap2, P0 * mean_overlap * m.s)};
 }
 
-/// Clips the pairs (index_a, index_b), positions in the records of A and B, one in each lane.
-template <class D, class VI> HWY_NOINLINE void clip_pairs(D d, const Task<hn::TFromD<D>>& task,
-                                                          VI index_a, VI index_b,
-                                                          Batch<hn::TFromD<D>>& out) {
+/// Clips the pairs (triangle_a, triangle_b) of the batch, one in each lane.
+template <class D>
+HWY_NOINLINE void clip_pairs(D d, const Task<hn::TFromD<D>>& task, Batch<hn::TFromD<D>>& out) {
     using T = hn::TFromD<D>;
     using V = hn::Vec<D>;
     using M = hn::Mask<D>;
     const V zero = hn::Zero(d), one = hn::Set(d, 1);
 
-    const TrianglePair<V> pair = gathered_pair(d, task, index_a, index_b);
+    const TrianglePair<V> pair = loaded_pair(d, task, out.triangle_a, out.triangle_b);
     const ContactPlane<V> plane = contact_plane(d, pair, task.h0);
     const FlatPair<V> flat = projected(d, pair, plane);
     const Polygon<D> polygon = common_polygon(d, flat.a, flat.b);

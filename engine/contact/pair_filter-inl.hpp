@@ -3,7 +3,9 @@
 // Every test leaves out only what cannot touch, by more than rounding (`k_slack`), so the clip
 // alone decides. The order is that of the triangles' indices from beginning to end. Children of a
 // subdivided triangle have consecutive indices, so 16 of them in a row are a patch of the surface:
-// one sphere around each patch of B rules most of them out at once.
+// one sphere around each patch of B rules most of them out at once. Spheres and circles around
+// triangles (may_touch) leave three pairs for each contact; their corners are looked at in full
+// vectors again (are_apart), which leaves hardly more than the contacts.
 
 #if defined(SPHEROSCOPE_PAIR_FILTER_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SPHEROSCOPE_PAIR_FILTER_INL
@@ -13,6 +15,7 @@
 #endif
 
 #include "engine/contact/pair_lanes.hpp"
+#include "engine/contact/pair_records-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -58,17 +61,19 @@ HWY_INLINE std::size_t near_box(D d, const Side<T>& side, std::size_t n_triangle
         const V reach = hn::LoadU(d, side.reach + t);
         const V grown = reach + grow;
         auto is_near = hn::FirstN(d, n_triangles - t);
-        V along = zero, upright = zero;
         for (std::size_t k = 0; k < 3; ++k) {
             const V centre = hn::LoadU(d, side.centroid[k] + t);
             const V below = hn::Set(d, side.other_low[k]) - centre;
             const V above = centre - hn::Set(d, side.other_high[k]);
             is_near = hn::And(is_near, hn::Le(hn::Max(below, above), grown));
-            const V axis = hn::Set(d, sign * direction[k]);
-            along = hn::MulAdd(axis, centre, along);
-            upright = hn::MulAdd(axis, hn::LoadU(d, side.normal[k] + t), upright);
         }
         if (hn::AllFalse(d, is_near)) continue;
+        V along = zero, upright = zero;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const V axis = hn::Set(d, sign * direction[k]);
+            along = hn::MulAdd(axis, hn::LoadU(d, side.centroid[k] + t), along);
+            upright = hn::MulAdd(axis, hn::LoadU(d, side.normal[k] + t), upright);
+        }
         // A triangle across the direction has no extent along it.
         const V flat = hn::Sqrt(hn::Max(zero, one - upright * upright));
         const V top = hn::MulAdd(reach, flat, along);
@@ -92,54 +97,62 @@ template <class T> HWY_INLINE std::size_t keep_reaching(const T* extent, T least
     return n_kept;
 }
 
+/// Copies triangle t of B to place i of the packed ones, relative to the origin of A.
+template <class T> HWY_INLINE void pack_one(const Task<T>& task, const Buffers<T>& buffers,
+                                            std::size_t i, std::size_t t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        buffers.centroid_b[k][i] = task.b.centroid[k][t] + task.offset[k];
+        buffers.normal_b[k][i] = task.b.normal[k][t];
+    }
+    buffers.reach_b[i] = task.b.reach[t];
+}
+
+/// Puts a sphere around the triangles of one block.
+template <class D, class T = hn::TFromD<D>>
+HWY_INLINE void enclose_block(D d, const Buffers<T>& buffers, std::size_t block) {
+    using V = hn::Vec<D>;
+    const std::size_t begin = block * k_block, end = begin + k_block, n_lanes = hn::Lanes(d);
+    T centre[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const T* const at = buffers.centroid_b[k];
+        V low = hn::LoadU(d, at + begin), high = low;
+        for (std::size_t i = begin + n_lanes; i < end; i += n_lanes) {
+            const V centroid = hn::LoadU(d, at + i);
+            low = hn::Min(low, centroid);
+            high = hn::Max(high, centroid);
+        }
+        centre[k] =
+            (hn::GetLane(hn::MinOfLanes(d, low)) + hn::GetLane(hn::MaxOfLanes(d, high))) / 2;
+        buffers.block_centre[k][block] = centre[k];
+    }
+    V most2 = hn::Zero(d), reach = most2;
+    for (std::size_t i = begin; i < end; i += n_lanes) {
+        V r2 = hn::Zero(d);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const V r = hn::LoadU(d, buffers.centroid_b[k] + i) - hn::Set(d, centre[k]);
+            r2 = hn::MulAdd(r, r, r2);
+        }
+        most2 = hn::Max(most2, r2);
+        reach = hn::Max(reach, hn::LoadU(d, buffers.reach_b + i));
+    }
+    buffers.block_reach[block] =
+        hn::GetLane(hn::Sqrt(hn::MaxOfLanes(d, most2))) + hn::GetLane(hn::MaxOfLanes(d, reach));
+}
+
 /// Copies the near triangles of B side by side, relative to the origin of A, and puts spheres
 /// around blocks of them. Returns the number of blocks; the last one is filled up with triangles
-/// that are far from everything.
-template <class T> HWY_INLINE std::size_t
-pack_near_b(const Task<T>& task, const Buffers<T>& buffers, std::size_t n_near) {
-    const Side<T>& side = task.b;
+/// that are far from everything. Precondition: n_near > 0.
+template <class D, class T = hn::TFromD<D>> HWY_INLINE std::size_t
+pack_near_b(D d, const Task<T>& task, const Buffers<T>& buffers, std::size_t n_near) {
     const std::size_t n_blocks = (n_near + k_block - 1) / k_block;
-    for (std::size_t i = 0; i < n_near; ++i) {
-        const auto t = static_cast<std::size_t>(buffers.near_b[i]);
-        for (std::size_t k = 0; k < 3; ++k) {
-            buffers.centroid_b[k][i] = side.centroid[k][t] + task.offset[k];
-            buffers.normal_b[k][i] = side.normal[k][t];
-        }
-        buffers.reach_b[i] = side.reach[t];
-    }
-    for (std::size_t block = 0; block < n_blocks; ++block) {
-        const std::size_t begin = block * k_block;
-        const std::size_t end = begin + k_block < n_near ? begin + k_block : n_near;
-        T centre[3];
-        for (std::size_t k = 0; k < 3; ++k) {
-            T low = buffers.centroid_b[k][begin], high = low;
-            for (std::size_t i = begin; i < end; ++i) {
-                const T c = buffers.centroid_b[k][i];
-                low = c < low ? c : low;
-                high = c > high ? c : high;
-            }
-            buffers.block_centre[k][block] = centre[k] = (low + high) / 2;
-        }
-        T most2 = 0, reach = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-            T r2 = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const T r = buffers.centroid_b[k][i] - centre[k];
-                r2 += r * r;
-            }
-            most2 = r2 > most2 ? r2 : most2;
-            reach = buffers.reach_b[i] > reach ? buffers.reach_b[i] : reach;
-        }
-        const hn::CappedTag<T, 1> one_lane;
-        buffers.block_reach[block] = hn::GetLane(hn::Sqrt(hn::Set(one_lane, most2))) + reach;
-    }
-    for (std::size_t i = n_near; i < n_blocks * k_block; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            buffers.centroid_b[k][i] = static_cast<T>(1e9);
-            buffers.normal_b[k][i] = 0;
-        }
-        buffers.reach_b[i] = 0;
-    }
+    for (std::size_t i = 0; i < n_near; ++i)
+        pack_one(task, buffers, i, static_cast<std::size_t>(buffers.near_b[i]));
+    // The last one repeats until spheres are made: they are around whole blocks.
+    for (std::size_t i = n_near; i < n_blocks * k_block; ++i)
+        pack_one(task, buffers, i, static_cast<std::size_t>(buffers.near_b[n_near - 1]));
+    for (std::size_t block = 0; block < n_blocks; ++block) enclose_block(d, buffers, block);
+    for (std::size_t i = n_near; i < n_blocks * k_block; ++i)
+        for (std::size_t k = 0; k < 3; ++k) buffers.centroid_b[k][i] = static_cast<T>(1e9);
     return n_blocks;
 }
 
@@ -168,17 +181,18 @@ HWY_INLINE hn::Mask<D> may_touch(D d, const Row<D>& a, const Buffers<T>& b, std:
     const V range = a.range + reach_b;
     may = hn::And(may, hn::Lt(distance2, range * range));
     // delta c at the centroid of A is 2 h0 + n_B.(c_B - c_A), and over A^p it rises by no more than
-    // |n_A + n_B| times its reach; likewise for B.
+    // |n_A + n_B| times its reach; likewise for B. Squared: neither roots nor quotients.
     const V two = hn::Set(d, 2);
-    const V rise = hn::Sqrt(hn::Max(zero, hn::MulAdd(two, cosine, two)));
-    const V slack = hn::Set(d, static_cast<T>(k_slack)) * reaches;
-    may = hn::And(may, hn::Ge(hn::MulAdd(rise, a.reach, a.two_h0 + slack), along_b));
-    may = hn::And(may, hn::Ge(hn::MulAdd(rise, reach_b, along_a + a.two_h0 + slack), zero));
+    const V rise2 = hn::Max(zero, hn::MulAdd(two, cosine, two));  // |n_A + n_B|^2
+    const V within = hn::MulAdd(hn::Set(d, static_cast<T>(k_slack)), reaches, a.two_h0);
+    const V gap_a = along_b - within, gap_b = hn::Neg(along_a) - within;
+    may = hn::And(may, hn::Le(gap_a * hn::Abs(gap_a), rise2 * (a.reach * a.reach)));
+    may = hn::And(may, hn::Le(gap_b * hn::Abs(gap_b), rise2 * (reach_b * reach_b)));
     // Circles around both, seen along n = (n_B - n_A) / |n_B - n_A|; |n_B - n_A|^2 = 2 - 2 cos.
     const V along_n = along_b - along_a;
     const V width2 = hn::NegMulAdd(two, cosine, two);
-    const V apart2 = hn::NegMulAdd(along_n / width2, along_n, distance2);
-    may = hn::And(may, hn::Lt(apart2, reaches * reaches));
+    const V beyond2 = hn::NegMulAdd(reaches, reaches, distance2);
+    may = hn::And(may, hn::Lt(beyond2 * width2, along_n * along_n));
     return may;
 }
 
@@ -226,6 +240,66 @@ HWY_INLINE std::size_t filter_row(D d, const Task<T>& task, const Buffers<T>& bu
         }
     }
     return n - start;
+}
+
+/// The smallest of v.p over the three corners p.
+template <class V> HWY_INLINE V lowest_along(const Point3<V>& v, const Point3<V>* corner) {
+    return hn::Min(hn::Min(dot(v, corner[0]), dot(v, corner[1])), dot(v, corner[2]));
+}
+
+/// Whether an edge of `of`, seen against `axis`, has all corners of the other triangle outside, by
+/// more than `slack`. The corners of `of` go counter-clockwise when they are seen like this.
+template <class D, class V = hn::Vec<D>> HWY_INLINE hn::Mask<D>
+separates(D d, const Point3<V>* of, const Point3<V>* other, const Point3<V>& axis, V slack) {
+    V widest = hn::Set(d, -1);
+    for (int i = 0; i < 3; ++i) {
+        const Point3<V>&from = of[i], &to = of[(i + 1) % 3];
+        const Point3<V> outward =
+            cross(Point3<V>{to.x - from.x, to.y - from.y, to.z - from.z}, axis);
+        widest = hn::Max(widest, lowest_along(outward, other) - dot(outward, from));
+    }
+    return hn::Gt(widest, slack);
+}
+
+/// Pairs whose projections along n an edge separates, or with a triangle that has delta < 0 at all
+/// of its corners.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> are_apart(D d, const TrianglePair<V>& pair, hn::TFromD<D> h0) {
+    using T = hn::TFromD<D>;
+    const Point3<V>&n_a = pair.normal_a, &n_b = pair.normal_b;
+    // A's corners go round its own normal, which is against n; no unit vector is needed.
+    const Point3<V> along_n{n_b.x - n_a.x, n_b.y - n_a.y, n_b.z - n_a.z};
+    const Point3<V> against_n{n_a.x - n_b.x, n_a.y - n_b.y, n_a.z - n_b.z};
+    V size2 = hn::Zero(d);
+    for (int i = 0; i < 3; ++i)
+        size2 = size2 + dot(pair.a[i], pair.a[i]) + dot(pair.b[i], pair.b[i]);
+    const V slack = hn::Set(d, static_cast<T>(k_slack)), slack_area = slack * size2;
+    const auto separate = hn::Or(separates(d, pair.a, pair.b, against_n, slack_area),
+                                 separates(d, pair.b, pair.a, along_n, slack_area));
+    // delta c is 2 h0 plus a corner's height over the other triangle's plane.
+    const V at_a = dot(n_b, pair.b[0]) - lowest_along(n_b, pair.a);
+    const V at_b = hn::Neg(lowest_along(n_a, pair.b));
+    const V highest = hn::Min(at_a, at_b) + hn::Set(d, h0 + h0);
+    return hn::Or(separate, hn::Lt(highest * hn::Abs(highest), hn::Neg(slack * slack_area)));
+}
+
+/// Keeps those of the first n survivors that are not apart, in their order; returns how many. The
+/// last one has to be repeated to the end of its vector.
+template <class D, class T = hn::TFromD<D>> HWY_INLINE std::size_t
+keep_overlapping(D d, const Task<T>& task, const Buffers<T>& buffers, std::size_t n) {
+    const hn::RebindToSigned<D> di;
+    std::size_t n_kept = 0;
+    for (std::size_t first = 0; first < n; first += hn::Lanes(d)) {
+        const IndexOf<T>*const a = buffers.survivor_a + first, *const b =
+                                                                   buffers.survivor_b + first;
+        const auto apart = hn::RebindMask(di, are_apart(d, loaded_pair(d, task, a, b), task.h0));
+        const auto kept = hn::AndNot(apart, hn::FirstN(di, n - first));
+        // Never writes beyond this vector, and only after it has been read.
+        const auto triangle_a = hn::LoadU(di, a), triangle_b = hn::LoadU(di, b);
+        static_cast<void>(append(di, triangle_a, kept, buffers.survivor_a + n_kept));
+        n_kept += append(di, triangle_b, kept, buffers.survivor_b + n_kept);
+    }
+    return n_kept;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -17,29 +17,37 @@ HWY_BEFORE_NAMESPACE();
 namespace spheroscope::lanes {
 namespace HWY_NAMESPACE {
 
-/// Clips the survivors in vectors; the last vector repeats its last pair.
+/// Repeats the last survivor to the end of its vector.
 template <class D, class T = hn::TFromD<D>>
-HWY_INLINE void clip_survivors(D d, const Task<T>& task, const Buffers<T>& buffers, std::size_t n,
-                               const Sink<T>& sink) {
-    const hn::RebindToSigned<D> di;
-    const std::size_t n_lanes = hn::Lanes(d);
-    const auto record = hn::Set(di, static_cast<IndexOf<T>>(k_record));
-    for (std::size_t i = n; i < n + n_lanes; ++i) {
+HWY_INLINE void fill_last_vector(D d, const Buffers<T>& buffers, std::size_t n) {
+    for (std::size_t i = n; i < n + hn::Lanes(d); ++i) {
         buffers.survivor_a[i] = buffers.survivor_a[n - 1];
         buffers.survivor_b[i] = buffers.survivor_b[n - 1];
     }
+}
+
+/// Clips the first n survivors, as far as they are not apart, and empties the list. Returns how
+/// many it has clipped. Precondition: n > 0.
+template <class D, class T = hn::TFromD<D>>
+HWY_INLINE std::size_t clip_survivors(D d, const Task<T>& task, const Buffers<T>& buffers,
+                                      std::size_t n, const Sink<T>& sink) {
+    const std::size_t n_lanes = hn::Lanes(d);
+    fill_last_vector(d, buffers, n);
+    n = keep_overlapping(d, task, buffers, n);
+    if (n == 0) return 0;
+    fill_last_vector(d, buffers, n);
     Batch<T> batch;
     for (std::size_t first = 0; first < n; first += n_lanes) {
         batch.n = n - first < n_lanes ? n - first : n_lanes;
         batch.triangle_a = buffers.survivor_a + first;
         batch.triangle_b = buffers.survivor_b + first;
-        clip_pairs(d, task, hn::LoadU(di, batch.triangle_a) * record,
-                   hn::LoadU(di, batch.triangle_b) * record, batch);
+        clip_pairs(d, task, batch);
         const std::uint64_t in_use = (std::uint64_t{1} << batch.n) - 1;
         batch.active &= in_use;
         batch.too_deep &= in_use;
         if ((batch.active | batch.too_deep) != 0) sink.take(sink.self, batch);
     }
+    return n;
 }
 
 /// Number of pairs that reached the clip.
@@ -58,15 +66,14 @@ template <class T> HWY_INLINE std::size_t find_pairs(const Task<T>& task, const 
     const T margin = task.reach * static_cast<T>(1.0 + k_slack);
     n_a = keep_reaching(buffers.extent_a, -(highest_b + between) - margin, buffers.near_a, n_a);
     n_b = keep_reaching(buffers.extent_b, -lowest_a - between - margin, buffers.near_b, n_b);
-    const std::size_t n_blocks = pack_near_b(task, buffers, n_b);
+    const std::size_t n_blocks = pack_near_b(d, task, buffers, n_b);
     const std::size_t room = buffers.survivors - hn::Lanes(d) - n_blocks * k_block;
 
     std::size_t n_candidates = 0, n = 0;
     for (std::size_t i = 0; i < n_a; ++i) {
         n += filter_row(d, task, buffers, n_blocks, buffers.near_a[i], n);
         if (n > room || (i + 1 == n_a && n > 0)) {
-            clip_survivors(d, task, buffers, n, sink);
-            n_candidates += n;
+            n_candidates += clip_survivors(d, task, buffers, n, sink);
             n = 0;
         }
     }

@@ -14,7 +14,8 @@
 // pair in each SIMD lane. Two stages for each pair of cells:
 //
 //   filter   the triangles of A and B that can touch the other cell, in the order of their indices;
-//            then each of A against blocks of B: normals, spheres, planes, circles along n
+//            then each of A against blocks of B: normals, spheres, planes, circles along n; then
+//            corners against edges and planes, which leaves 1.1 candidates for each active pair
 //   clip     the survivors side by side: edges of A^p clipped by B^p and delta >= 0, edges of B^p
 //            by A^p, moments by Green's theorem, nodal forces
 //

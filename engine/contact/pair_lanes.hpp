@@ -13,6 +13,7 @@ namespace spheroscope::lanes {
 constexpr std::size_t k_max_lanes = 16;  ///< of one vector, in any target
 constexpr std::size_t k_block = 16;      ///< triangles of B that are ruled out together
 constexpr std::size_t k_record = 16;     ///< numbers of one triangle, see PackedTriangles
+constexpr std::size_t k_used_of_record = 12;
 
 /// Integer as wide as T.
 template <class T> using IndexOf = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;

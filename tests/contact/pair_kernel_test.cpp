@@ -161,6 +161,10 @@ TEST_P(PairKernel, HasTheNodalForcesOfTheScalarKernelOnACompactedBall) {
     }
     EXPECT_LE(error_nN, bound(1e-5, 1e-13) * largest_nN);
     EXPECT_LE(sum.norm(), 1e-12 * largest_nN) << "pairs are balanced in double in any precision";
+    // What the filter leaves is clipped, at five times the filter's price.
+    const auto n_active = static_cast<std::int64_t>(plain.n_pairs());
+    EXPECT_EQ(search.counts().active_pairs, n_active);
+    EXPECT_LT(search.counts().candidates, n_active + n_active / 3);
 }
 
 TEST_P(PairKernel, GivesTheSameBitsOnAnyNumberOfThreads) {
