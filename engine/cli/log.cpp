@@ -33,12 +33,11 @@ void log_error(const std::string& message) { spdlog::error("{}", message); }
 
 void make_log_quiet() { spdlog::set_level(spdlog::level::warn); }
 
+void print_to_stderr(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
 void print_error(const std::string& message) {
     spdlog::default_logger()->flush();
-    if (has_colour())
-        fmt::print(stderr, "\033[31m{}\033[0m\n", message);
-    else
-        fmt::print(stderr, "{}\n", message);
+    print_to_stderr(has_colour() ? fmt::format("\033[31m{}\033[0m\n", message) : message + '\n');
 }
 
 }  // namespace spheroscope::cli

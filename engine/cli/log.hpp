@@ -19,6 +19,10 @@ void log_error(const std::string& message);
 /// Only warnings from here on.
 void make_log_quiet();
 
+/// Writes to stderr, or nothing where that is not possible: a run of hours does not end because the
+/// disk that its log goes to is full.
+void print_to_stderr(const std::string& text);
+
 /// Writes the final message of a failed run to stderr, after whatever the log still holds.
 void print_error(const std::string& message);
 

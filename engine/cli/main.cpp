@@ -21,6 +21,7 @@
 
 int main(int argc, char** argv) {
     using namespace spheroscope;
+    cli::open_standard_streams();
     // A full quota of file size is then an error of the write, with a message, and not the end.
     std::signal(SIGXFSZ, SIG_IGN);
     reports::DrawPlot draw;

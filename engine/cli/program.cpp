@@ -6,8 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
+#include <fcntl.h>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -56,7 +59,7 @@ ExitCode run_verb(const Verb& verb, const std::vector<std::string>& arguments,
 ExitCode dispatch(const std::vector<std::string>& arguments, std::span<const Verb> verbs,
                   const std::string& version) {
     if (arguments.empty()) {
-        fmt::print(stderr, "{}", help_text(verbs));
+        print_to_stderr(help_text(verbs));
         return ExitCode::usage;
     }
     const std::string& first = arguments.front();
@@ -92,6 +95,15 @@ std::string command_line_text(const std::vector<std::string>& arguments) {
         text += '\'';
     }
     return text;
+}
+
+void open_standard_streams() {
+    // Each takes the lowest number that is free, which is the one that was found closed. What goes
+    // to stdout must not get lost: a write to a file that is open for reading fails.
+    constexpr std::array k_modes{O_RDONLY, O_RDONLY, O_WRONLY};
+    for (int stream = 0; stream < 3; ++stream)
+        if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
+            static_cast<void>(open("/dev/null", k_modes[static_cast<std::size_t>(stream)]));
 }
 
 ExitCode run_program(const std::vector<std::string>& arguments, std::span<const Verb> verbs,

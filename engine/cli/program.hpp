@@ -8,6 +8,10 @@
 
 namespace spheroscope::cli {
 
+/// Opens those of stdin, stdout and stderr that are closed, as nohup and daemons leave them: the
+/// next file of the program would get their number, and a line of the log would end up in a run.
+void open_standard_streams();
+
 /// Runs the verb that `arguments` (without the program's name) begin with, or answers --help and
 /// --version. Results go to stdout; every failure becomes one message on stderr and the exit code
 /// that belongs to it, so nothing is thrown.

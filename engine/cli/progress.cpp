@@ -64,20 +64,23 @@ void Progress::update(const ProgressState& state) {
     shown_s_ = now_s;
     const std::string text = line_text(state, now_s);
     if (style_ == ProgressStyle::lines) {
-        fmt::print(out_, "{}\n", text);
+        write(text + '\n');
     } else {
         const auto room = static_cast<std::size_t>(std::max(0, width_ - 1));
-        fmt::print(out_, "\r\033[K{}", text.substr(0, room));
+        write("\r\033[K" + text.substr(0, room));
         drawn_ = true;
     }
-    std::fflush(out_);
 }
 
 void Progress::clear() {
     if (!drawn_) return;
-    fmt::print(out_, "\r\033[K");
-    std::fflush(out_);
+    write("\r\033[K");
     drawn_ = false;
+}
+
+void Progress::write(const std::string& text) {
+    std::fputs(text.c_str(), out_);
+    std::fflush(out_);
 }
 
 bool Progress::is_due(const ProgressState& state, double now_s) {

@@ -47,6 +47,8 @@ class Progress {
     void clear();
 
   private:
+    /// What cannot be written is lost, see print_to_stderr.
+    void write(const std::string& text);
     [[nodiscard]] bool is_due(const ProgressState& state, double now_s);
     [[nodiscard]] std::string line_text(const ProgressState& state, double now_s) const;
 

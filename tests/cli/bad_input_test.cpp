@@ -194,6 +194,30 @@ TEST_F(BadInput, OfAFullStdoutEndsWith5HoweverLongTheResultIs) {
     }
 }
 
+TEST_F(BadInput, OfAClosedStdoutEndsWith5) {
+    const Outcome outcome = shell("exec \"$PROGRAM\" --version >&-");
+    EXPECT_EQ(outcome.code, 5) << outcome.err;
+    EXPECT_NE(outcome.err.find("could not be written to stdout"), std::string::npos);
+}
+
+// The log is lost then, and nothing else: neither the run, whose file would have the number of a
+// closed stderr, nor the exit code.
+TEST_F(BadInput, OfAStderrThatTakesNothingChangesNothing) {
+    write_file("scene.toml", all_stages_scene());
+    const auto hash = json_of(call({"run", "scene.toml", "-o", "o0", "--json"}))["state_hash"];
+    int n = 0;
+    for (const std::string where : {"2>&-", "2>/dev/full", "2>&- <&-"}) {
+        const std::string folder = "o" + std::to_string(++n);
+        const Outcome run =
+            shell("exec \"$PROGRAM\" run scene.toml -o " + folder + " --json " + where);
+        EXPECT_EQ(run.code, 0) << where;
+        EXPECT_EQ(json_of(run)["state_hash"], hash) << where;
+        EXPECT_EQ(call({"info", folder + "/run.h5"}).code, 0) << where;
+        EXPECT_EQ(shell("exec \"$PROGRAM\" info nosuch.h5 " + where).code, 2) << where;
+        EXPECT_EQ(shell("exec \"$PROGRAM\" --nosuch " + where).code, 2) << where;
+    }
+}
+
 TEST_F(BadInput, OfASceneThatIsALinkToItselfIsRefused) {
     fs::create_symlink("loop.toml", path("loop.toml"));
     expect_refused({"check", "loop.toml"}, "cannot open the scene");
