@@ -39,7 +39,7 @@ statistics::RunStatistics measure_stored_run(const std::string& file) {
     try {
         if (reader.n_frames() == 0) throw Error("it has no frames yet");
         const SnapshotPtr last = reader.frame(reader.n_frames() - 1);
-        statistics::RunStatistics run = statistics::measure_run(last);
+        statistics::RunStatistics run = statistics::measure_run(last, reader.changes());
         run.load = load_of(reader, *last);
         run.wall = wall_of(reader);
         run.file = file;

@@ -55,6 +55,15 @@ nlohmann::json describe(const RunFileReader& reader, const SnapshotPtr& last) {
     return document;
 }
 
+/// Of changes_text; "" where nothing was changed.
+std::string changes_in_words(const std::string& changes) {
+    std::string text;
+    if (!changes.empty()) text += "changed on the way   (s, key, value in um, s, nN)\n";
+    std::istringstream lines(changes);
+    for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
+    return text;
+}
+
 std::string describe_in_words(const RunFileReader& reader, const SnapshotPtr& last) {
     const RunHeader& header = *reader.header();
     std::string text = fmt::format(
@@ -67,11 +76,7 @@ std::string describe_in_words(const RunFileReader& reader, const SnapshotPtr& la
         text += fmt::format("contact kernel       {}\n", header.contact_arithmetic);
     if (reader.end().wall_time_s > 0.0)
         text += fmt::format("wall time            {}\n", duration_text(reader.end().wall_time_s));
-    if (!reader.changes().empty()) {
-        text += "changed on the way   (s, key, value in um, s, nN)\n";
-        std::istringstream lines(changes_text(reader.changes()));
-        for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
-    }
+    text += changes_in_words(changes_text(reader.changes()));
     if (!last) return text;
     text += fmt::format("last frame           t = {:.4g} s, {}\nsteps                {} ({} "
                         "rejected), {}\n",
@@ -110,7 +115,7 @@ std::vector<Replicates> read_replicates(const std::vector<std::string>& files) {
         const RunFileReader reader(file);
         if (reader.n_frames() == 0)
             throw Error(file + ": the run has no frames yet", "leave it out of the means");
-        const statistics::Setup setup = statistics::setup_of(*reader.header());
+        const statistics::Setup setup = statistics::setup_of(*reader.header(), reader.changes());
         auto at = std::find_if(all.begin(), all.end(), [&](const Replicates& r) {
             return r.setup.scene_without_seed == setup.scene_without_seed;
         });
@@ -140,6 +145,7 @@ ExitCode info_of_several(const InfoArguments& arguments) {
                             {"files", replicates.files},
                             {"seeds", replicates.seeds},
                             {"outcomes", replicates.outcomes},
+                            {"changes", replicates.setup.changes},
                             {"totals", seed_means_json(replicates.totals)}});
         text += fmt::format("{}{}\ngamma/omega          {}\nEt/omega             {}\n"
                             "cells                {} of {} nodes\n",
@@ -147,6 +153,7 @@ ExitCode info_of_several(const InfoArguments& arguments) {
                             statistics::ratio_text(replicates.setup.gamma_over_omega),
                             statistics::ratio_text(replicates.setup.Et_over_omega),
                             replicates.setup.n_cells, replicates.setup.n_nodes);
+        text += changes_in_words(replicates.setup.changes);
         for (std::size_t i = 0; i < replicates.files.size(); ++i)
             text += fmt::format("seed {:<15} {}, {}\n", replicates.seeds[i], replicates.outcomes[i],
                                 replicates.files[i]);

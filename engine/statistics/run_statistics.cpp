@@ -23,7 +23,7 @@ std::vector<double> values_of(const std::vector<CellStress>& cells, const CellSt
 
 using LabelPart = std::string (*)(const Setup&);
 constexpr std::size_t k_Et_over_omega = 1;  // in the table
-const std::array<LabelPart, 8> k_label_parts{
+const std::array<LabelPart, 9> k_label_parts{
     [](const Setup& s) { return "γ/ω = " + ratio_text(s.gamma_over_omega); },
     [](const Setup& s) { return "Et/ω = " + ratio_text(s.Et_over_omega); },
     [](const Setup& s) { return fmt::format("N = {}", s.n_cells); },
@@ -31,6 +31,9 @@ const std::array<LabelPart, 8> k_label_parts{
     [](const Setup& s) { return s.law; },
     [](const Setup& s) { return "reading " + s.omega_reading; },
     [](const Setup& s) { return fmt::format("ω = {:.4g} nN/µm", s.omega_nN_per_um); },
+    [](const Setup& s) {
+        return std::string(s.changes.empty() ? "unchanged" : "changed on its way");
+    },
     [](const Setup& s) { return s.title; },
 };
 
@@ -77,7 +80,7 @@ double RunStatistics::mean_stress_of_layer_kPa(const CellStressRow& row, bool of
     return mean_over_seeds(values).mean;
 }
 
-RunStatistics measure_run(const SnapshotPtr& frame) {
+RunStatistics measure_run(const SnapshotPtr& frame, std::span<const Change> changes) {
     const RunHeader& header = *frame->header;
     inspect::FrameSystem system(frame->header, {}, inspect::FrameSystem::Detail::contacts);
     const auto stage = static_cast<std::size_t>(frame->stage);
@@ -92,7 +95,7 @@ RunStatistics measure_run(const SnapshotPtr& frame) {
     run.version = header.version;
     run.stage_name = frame->stage_name;
     run.time_s = frame->time_s;
-    run.setup = setup_of(header);
+    run.setup = setup_of(header, changes);
     run.totals = frame->totals;
     run.R_th_um = aggregate.R_th_um;
     run.extent_um = aggregate_extent_um(*frame);

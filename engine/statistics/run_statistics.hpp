@@ -55,10 +55,11 @@ struct RunStatistics {
     [[nodiscard]] double mean_stress_of_layer_kPa(const CellStressRow& row, bool of_core) const;
 };
 
-/// Measures one frame of a run: some tenths of a second; `file`, `outcome`, `load` and `wall` are
-/// left empty. Throws Error when there is no mechanics in it (no contacts in the scene, beads that
-/// are being packed), or it cannot be evaluated.
-[[nodiscard]] RunStatistics measure_run(const SnapshotPtr& frame);
+/// Measures one frame of a run, with what was changed on its way: some tenths of a second; `file`,
+/// `outcome`, `load` and `wall` are left empty. Throws Error when there is no mechanics in it (no
+/// contacts in the scene, beads that are being packed), or it cannot be evaluated.
+[[nodiscard]] RunStatistics measure_run(const SnapshotPtr& frame,
+                                        std::span<const Change> changes = {});
 
 /// Replicates: runs of one setup, ascending by seed.
 struct SetupStatistics {

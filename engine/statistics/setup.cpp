@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 namespace spheroscope::statistics {
 namespace {
@@ -52,10 +55,17 @@ bool Setup::is_in_table_2(double other_gamma_over_omega, double other_Et_over_om
     return other.is_in_table_2();
 }
 
-Setup setup_of(const RunHeader& header) {
+Setup setup_of(const RunHeader& header, std::span<const Change> changes) {
     const scene::Scene scene = scene::parse_scene(header.resolved_scene, "the run's scene");
     Setup setup;
-    setup.scene_without_seed = without_seed(header.resolved_scene);
+    std::vector<Change> felt;
+    std::copy_if(changes.begin(), changes.end(), std::back_inserter(felt),
+                 [](const Change& change) {
+                     const ChangeableRow* const row = find_changeable(change.key);
+                     return row == nullptr || row->of == ChangeableRow::Of::engine;
+                 });
+    setup.changes = changes_text(felt);
+    setup.scene_without_seed = without_seed(header.resolved_scene) + setup.changes;
     setup.title = scene.title;
     setup.n_cells = header.n_cells;
     setup.n_nodes = header.topology->n_nodes();

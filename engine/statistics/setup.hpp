@@ -1,14 +1,17 @@
 #pragma once
 
+#include "engine/run/changes.hpp"
 #include "engine/run/snapshot.hpp"
 
+#include <span>
 #include <string>
 
 namespace spheroscope::statistics {
 
 /// What a run was of, without its seed: runs with the same `scene_without_seed` are replicates.
 struct Setup {
-    std::string scene_without_seed;  ///< the resolved scene's text
+    std::string scene_without_seed;  ///< the resolved scene's text, and the changes
+    std::string changes;             ///< changes_text of those on its way that cells feel, or ""
     std::string title;
     double gamma_over_omega = 0.0, Et_over_omega = 0.0;  ///< NaN without adhesion, or cortex
     double omega_nN_per_um = 0.0, E_kPa = 0.0;           ///< NaN likewise
@@ -25,8 +28,9 @@ struct Setup {
                                      double other_Et_over_omega) const;
 };
 
-/// Throws Error when the run's scene cannot be read.
-[[nodiscard]] Setup setup_of(const RunHeader& header);
+/// changes: what was changed while the run went on. The ratios are those of its beginning. Throws
+/// Error when the run's scene cannot be read.
+[[nodiscard]] Setup setup_of(const RunHeader& header, std::span<const Change> changes = {});
 
 /// "1/8", "2", "0.3": powers of two below one as fractions, as the paper writes them.
 [[nodiscard]] std::string ratio_text(double ratio);

@@ -6,9 +6,23 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <sstream>
+#include <string>
 
 namespace spheroscope::figures {
+namespace {
+
+/// "" for a run that came to the end that its scene asks for.
+std::string remark_on_outcome(const std::string& outcome) {
+    if (outcome == "done" || outcome == "rest" || outcome == "stationary") return "";
+    if (outcome == "cap") return "ended at the cap of time, not at rest";
+    return outcome.empty() ? "not at its end, the last frame is shown"
+                           : fmt::format("not at its end ({}), the last frame is shown", outcome);
+}
+
+}  // namespace
 
 std::vector<std::string> remarks_on_runs(Setups setups) {
     std::vector<std::string> remarks;
@@ -16,20 +30,19 @@ std::vector<std::string> remarks_on_runs(Setups setups) {
     std::size_t most = 0;
     for (const statistics::SetupStatistics& setup : setups) {
         most = std::max(most, setup.runs.size());
-        std::vector<std::uint64_t> unfinished, capped;
+        std::map<std::string, std::vector<std::uint64_t>> seeds_of;  // what is to be said of them
         for (const statistics::RunStatistics& run : setup.runs) {
             versions.insert(run.version);
-            if (run.outcome.empty())
-                unfinished.push_back(run.seed);
-            else if (run.outcome == "cap")
-                capped.push_back(run.seed);
+            const std::string remark = remark_on_outcome(run.outcome);
+            if (!remark.empty()) seeds_of[remark].push_back(run.seed);
         }
-        if (!unfinished.empty())
-            remarks.push_back(fmt::format("{}, seed {}: not at its end, the last frame is shown",
-                                          setup.label, fmt::join(unfinished, ", ")));
-        if (!capped.empty())
-            remarks.push_back(fmt::format("{}, seed {}: ended at the cap of time, not at rest",
-                                          setup.label, fmt::join(capped, ", ")));
+        for (const auto& [remark, seeds] : seeds_of)
+            remarks.push_back(
+                fmt::format("{}, seed {}: {}", setup.label, fmt::join(seeds, ", "), remark));
+        std::istringstream changes(setup.setup().changes);
+        for (std::string change; std::getline(changes, change);)
+            remarks.push_back(fmt::format("{}: changed on the way (s, key, value in um, s, nN): {}",
+                                          setup.label, change));
     }
     for (const statistics::SetupStatistics& setup : setups)
         if (setup.runs.size() < most)

@@ -53,13 +53,24 @@ TEST(RemarksOnRuns, NameCapsUnendedRunsMissingSeedsAndVersions) {
     going_on.outcome = "";
     auto other = made_up_run(4, 8, 1);
     other.version = "2";
-    const auto setups = group_by_setup({made_up_run(1, 8, 1), capped, going_on, other});
+    auto unstable = made_up_run(1, 8, 5), stopped = made_up_run(1, 8, 6);
+    unstable.outcome = "unstable";
+    stopped.outcome = "time limit";
+    auto changed = made_up_run(8, 8, 1);
+    changed.setup.changes = "12.5 cortex.tension.gamma 0.7\n";
+    const auto setups =
+        group_by_setup({made_up_run(1, 8, 1), capped, going_on, unstable, stopped, other, changed});
     EXPECT_EQ(
         remarks_on_runs(setups),
         (std::vector<std::string>{
-            "γ/ω = 1, Et/ω = 8, seed 3: not at its end, the last frame is shown",
             "γ/ω = 1, Et/ω = 8, seed 2: ended at the cap of time, not at rest",
-            "γ/ω = 4, Et/ω = 8 has 1 seed, others have 3", "runs of several versions: 1, 2"}));
+            "γ/ω = 1, Et/ω = 8, seed 6: not at its end (time limit), the last frame is shown",
+            "γ/ω = 1, Et/ω = 8, seed 5: not at its end (unstable), the last frame is shown",
+            "γ/ω = 1, Et/ω = 8, seed 3: not at its end, the last frame is shown",
+            "γ/ω = 8, Et/ω = 8: changed on the way (s, key, value in um, s, nN): "
+            "12.5 cortex.tension.gamma 0.7",
+            "γ/ω = 4, Et/ω = 8 has 1 seed, others have 5",
+            "γ/ω = 8, Et/ω = 8 has 1 seed, others have 5", "runs of several versions: 1, 2"}));
 }
 
 TEST(ForceDisplacement, HasALineForEachSeedInTheOneColourOfItsSetup) {

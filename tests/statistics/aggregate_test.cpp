@@ -86,6 +86,12 @@ TEST(SetupOfARun, IsTheSameForAnotherSeedAndNoOther) {
     const auto setup = setup_of(*run.header);
     EXPECT_EQ(with("scene.seed", "8").scene_without_seed, setup.scene_without_seed);
     EXPECT_NE(with("cortex.elastic.E", "21").scene_without_seed, setup.scene_without_seed);
+    // What cells felt on the way makes another set-up, colours do not.
+    const std::vector<Change> tension{{1.5, "cortex.tension.gamma", {0.7}}},
+        colours{{1.5, "picture.given_range", {0.0, 1.0}}};
+    EXPECT_NE(setup_of(*run.header, tension).scene_without_seed, setup.scene_without_seed);
+    EXPECT_EQ(setup_of(*run.header, tension).changes, changes_text(tension));
+    EXPECT_EQ(setup_of(*run.header, colours).scene_without_seed, setup.scene_without_seed);
     EXPECT_EQ(setup.title, "Three cells");
     EXPECT_DOUBLE_EQ(setup.gamma_over_omega, 2.0);
     EXPECT_DOUBLE_EQ(setup.Et_over_omega, 16.0);
