@@ -34,6 +34,7 @@ constexpr double k_Pa_per_kPa = 1000.0;
 constexpr int k_n_samples = 2;
 
 // Places, px.
+constexpr double k_title_x = 450.0;  // right of the words "Contact 123-456"
 constexpr int k_view_x = 30, k_view_width = 520, k_view_height = 380;
 constexpr std::array<int, 2> k_view_y{140, 590};
 constexpr int k_map_x = 590, k_map_y = 150, k_map_side = 440;
@@ -420,8 +421,10 @@ Image ContactSheet::draw(const inspect::ContactMoment& moment) {
                         std::max(h.history.size(), idx(summary.frame) + 1)),
             20.0);
     const RunHeader& run = *h.header;
-    h.write(image, k_width_px - 30.0, 52.0, run.title.empty() ? run.scene_name : run.title, 20.0,
-            k_ink, Anchor::right);
+    h.write(image, k_width_px - 30.0, 52.0,
+            shortened(h.text, run.title.empty() ? run.scene_name : run.title, {20.0},
+                      k_width_px - 30.0 - k_title_x),
+            20.0, k_ink, Anchor::right);
     h.write(image, k_width_px - 30.0, 82.0, fmt::format("{}, seed {}", run.scene_name, run.seed),
             16.0, k_soft_ink, Anchor::right);
     const PulledApart pair = h.pull_apart(*moment.frame, moment.report);

@@ -135,7 +135,11 @@ Survey survey_frames(FrameSource& frames, const scene::Picture& picture) {
         const SnapshotPtr snapshot = frames.frame(i);
         survey.time_s.push_back(snapshot->time_s);
         survey.stage_names.push_back(snapshot->stage_name);
-        if (plotted != nullptr) survey.plotted.push_back(value_of(*plotted, snapshot->totals));
+        // Beads that are being packed have no stress: their frames are a gap in the curve.
+        if (plotted != nullptr)
+            survey.plotted.push_back(shows_field(*snapshot)
+                                         ? value_of(*plotted, snapshot->totals)
+                                         : std::numeric_limits<double>::quiet_NaN());
         extent_um.push_back(shown_extent_um(*snapshot, picture));
         const int field = find_picture_field(*snapshot->header, picture);
         if (field >= 0) {

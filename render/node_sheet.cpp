@@ -22,6 +22,7 @@ namespace {
 constexpr Rgb k_ink{38, 40, 44}, k_soft_ink{104, 108, 116}, k_white{255, 255, 255};
 constexpr Rgb k_surface{214, 219, 227}, k_edge{150, 157, 168}, k_paper{246, 247, 248};
 // Places, px.
+constexpr double k_title_x = 640.0;  // right of the words "Forces on node 1234 of cell 123"
 constexpr int k_view_x = 30, k_view_width = 700, k_view_height = 390;
 constexpr int k_side_y = 140, k_outside_y = 580;
 constexpr int k_chain_x = 790, k_chain_width = 780;
@@ -161,7 +162,9 @@ void Drawing::draw_title(Image& image) {
                       moment_.frame->frame < 0 ? ""
                                                : fmt::format("   frame {}", moment_.frame->frame)),
           20.0);
-    write(image, NodeSheet::k_width_px - 30.0, 52.0, run.title.empty() ? run.scene_name : run.title,
+    write(image, NodeSheet::k_width_px - 30.0, 52.0,
+          shortened(text_, run.title.empty() ? run.scene_name : run.title, {20.0},
+                    NodeSheet::k_width_px - 30.0 - k_title_x),
           20.0, k_ink, Anchor::right);
     write(image, NodeSheet::k_width_px - 30.0, 82.0,
           fmt::format("{}, seed {}", run.scene_name, run.seed), 16.0, k_soft_ink, Anchor::right);

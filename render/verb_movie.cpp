@@ -59,9 +59,7 @@ struct MovieOutcome {
     std::string text;
 };
 
-ExitCode interrupted() {
-    return cli::interrupt_signal() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
-}
+ExitCode interrupted() { return cli::code_after_signal(ExitCode::interrupted); }
 
 /// Draws the wanted pictures of a run's file into `folder`.
 void draw(const RunFileReader& reader, const std::vector<scene::Picture>& pictures,

@@ -13,6 +13,7 @@ enum class ExitCode : int {
     not_converged = 3,  ///< unstable, or the end condition was not met
     differs = 4,        ///< something is not as expected: `diff`, [expect], `stability`
     environment = 5,    ///< no GL, no display, no ffmpeg
+    hung_up = 129,      ///< SIGHUP, after a checkpoint
     interrupted = 130,  ///< SIGINT, after a checkpoint
     terminated = 143,   ///< SIGTERM, after a checkpoint
 };

@@ -68,6 +68,10 @@ struct CommandLine::Library {
         CLI::Option* option = app.add_option(names, value, help);
         if (!rule.type.empty()) option->type_name(rule.type);
         if (rule.check) option->check(rule.check);
+        // A job script with a variable that is not set: not the same as no option.
+        option->check([](const std::string& text) {
+            return std::string(text.empty() ? "wanted a value, got ''" : "");
+        });
         return *option;
     }
 };

@@ -3,7 +3,7 @@
 namespace spheroscope::cli {
 namespace {
 
-constexpr std::array k_signals{SIGINT, SIGTERM};
+constexpr std::array k_signals{SIGINT, SIGTERM, SIGHUP};
 
 // A signal handler can reach nothing but globals, and of these only lock-free atomics.
 std::atomic<bool> asked_to_stop{false};
@@ -28,7 +28,11 @@ InterruptGuard::InterruptGuard() {
     ask.sa_handler = ask_to_stop;
     ask.sa_flags = SA_RESTART;  // a write in progress is finished, not broken off
     for (const int each : k_signals) sigaddset(&ask.sa_mask, each);  // one after the other
-    for (std::size_t i = 0; i < k_signals.size(); ++i) sigaction(k_signals[i], &ask, &before_[i]);
+    for (std::size_t i = 0; i < k_signals.size(); ++i) {
+        sigaction(k_signals[i], &ask, &before_[i]);
+        if (k_signals[i] == SIGHUP && before_[i].sa_handler == SIG_IGN)
+            sigaction(SIGHUP, &before_[i], nullptr);
+    }
 }
 
 InterruptGuard::~InterruptGuard() {
@@ -39,5 +43,14 @@ InterruptGuard::~InterruptGuard() {
 const std::atomic<bool>& InterruptGuard::stop() const { return asked_to_stop; }
 
 int interrupt_signal() { return last_signal.load(); }
+
+ExitCode code_after_signal(ExitCode code) {
+    switch (interrupt_signal()) {
+    case SIGHUP: return ExitCode::hung_up;
+    case SIGINT: return ExitCode::interrupted;
+    case SIGTERM: return ExitCode::terminated;
+    default: return code;
+    }
+}
 
 }  // namespace spheroscope::cli

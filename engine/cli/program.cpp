@@ -29,7 +29,7 @@ std::string help_text(std::span<const Verb> verbs) {
             "  --version version and commit\n\n"
             "Exit codes: 0 ok, 1 internal error, 2 wrong command line or scene, 3 unstable or not\n"
             "converged in the time it had, 4 differs, 5 something outside the program is missing\n"
-            "(OpenGL, ffmpeg, disk space), 130 and 143 after a signal, with a checkpoint.\n";
+            "(OpenGL, ffmpeg, disk space), 129, 130 and 143 after a signal, with a checkpoint.\n";
     return text;
 }
 

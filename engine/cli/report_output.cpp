@@ -89,14 +89,6 @@ std::vector<std::string> draw_report_plot(const reports::DrawPlot& draw, const r
     return draw(plot, path);
 }
 
-ExitCode code_after_signal(ExitCode code) {
-    switch (interrupt_signal()) {
-    case SIGINT: return ExitCode::interrupted;
-    case SIGTERM: return ExitCode::terminated;
-    default: return code;
-    }
-}
-
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 }  // namespace spheroscope::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/vec3.hpp"
+#include "engine/cli/interrupt.hpp"
 #include "engine/cli/options.hpp"
 #include "engine/cli/verb.hpp"
 #include "engine/reports/report_table.hpp"
@@ -38,9 +39,6 @@ void write_text_file(const std::string& path, const std::string& text);
 /// Draws the plot, or says why there is none. Returns the names of the files.
 [[nodiscard]] std::vector<std::string>
 draw_report_plot(const reports::DrawPlot& draw, const reports::Plot& plot, const std::string& path);
-
-/// The code after a signal, or `code` if there was none.
-[[nodiscard]] ExitCode code_after_signal(ExitCode code);
 
 /// "0123456789abcdef"
 [[nodiscard]] std::string hash_text(std::uint64_t hash);

@@ -116,8 +116,7 @@ ExitCode exit_code(const SimulationSummary& summary, ExitCode store_failure) {
         for (const Expectation& row : summary.expectations)
             if (!row.met) return ExitCode::differs;
         return ExitCode::ok;
-    case RunVerdict::stopped:
-        return interrupt_signal() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+    case RunVerdict::stopped: return code_after_signal(ExitCode::interrupted);
     case RunVerdict::sink_failed: return store_failure;
     case RunVerdict::cap:
     case RunVerdict::time_limit:

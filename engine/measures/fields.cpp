@@ -63,6 +63,12 @@ std::span<const Field> all_fields() {
     return rows;
 }
 
+bool is_tension_or_compression(const Field& field) {
+    const bool is_shear =
+        field.name == "stress_xy" || field.name == "stress_xz" || field.name == "stress_yz";
+    return field.range == RangeKind::signed_about_zero && !is_shear;
+}
+
 const Field* find_field(std::string_view name) {
     for (const Field& field : all_fields())
         if (field.name == name) return &field;

@@ -42,6 +42,10 @@ struct Field {
 /// All fields, in the order of legends and combo boxes.
 [[nodiscard]] std::span<const Field> all_fields();
 
+/// Whether values above zero are a tension and those below it a compression: so it is for all
+/// signed fields but shear components.
+[[nodiscard]] bool is_tension_or_compression(const Field& field);
+
 /// nullptr when there is no such field.
 [[nodiscard]] const Field* find_field(std::string_view name);
 

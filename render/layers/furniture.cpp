@@ -35,14 +35,12 @@ constexpr double k_column_share = 0.4, k_largest_column_share = 0.6;
 
 constexpr Rgb k_ink{38, 40, 44}, k_soft_ink{104, 108, 116};
 
-bool is_signed(const Field& field) { return field.range == RangeKind::signed_about_zero; }
-
 /// Height of the column on the right with everything that it may hold in any frame, and a bar of
 /// that height, in px of a picture with 720 rows.
 double column_height(const FurnitureLayout& layout, const FurnitureParts& parts, double bar) {
     double y = k_margin + k_text - k_block;  // the baseline before the first block, as it were
     if (layout.has_bar) {
-        const int n_sides = is_signed(*parts.field) ? 1 : 0;
+        const int n_sides = is_tension_or_compression(*parts.field) ? 1 : 0;
         y += k_block;
         if (layout.has_bar_words) y += k_line * (1 + n_sides);
         y += k_above_bar + k_tip + bar + k_tip + k_below_bar;
@@ -205,7 +203,7 @@ double Writer::colour_bar(double x, double y, const Furniture& furniture) {
     const Field& field = *furniture.field;
     const ColourMap& map = ColourMap::of(field.range);
     const auto pale = [&](Rgb colour) { return mix(colour, {255, 255, 255}, furniture.paleness); };
-    const bool has_sides = is_signed(field) && furniture.layout.has_bar_words;
+    const bool has_sides = is_tension_or_compression(field) && furniture.layout.has_bar_words;
     const double height = furniture.layout.bar_px;
     const double right = x + scaled(24.0), tip = scaled(k_tip);
 

@@ -100,6 +100,8 @@ TEST_F(BadInput, InThePictureOfASceneIsRefusedThere) {
 TEST_F(BadInput, OfOptionsThatMeanNothingThereIsNotIgnored) {
     write_file("scene.toml", all_stages_scene());
     expect_refused({"run", "scene.toml", "-o", "x.h5"}, "a folder to write into, got 'x.h5'");
+    expect_refused({"run", "scene.toml", "--time-limit", ""}, "--time-limit: wanted a value");
+    expect_refused({"inspect", "run.h5", "--contact", ""}, "--contact: wanted a value");
     expect_refused({"run", "scene.toml", "--seed", "99999999999999999999"}, "at most 18 digits");
     expect_refused({"precision", "scene.toml", "--most-nodes", "162"}, "--most-nodes is about");
     expect_refused({"precision", "scene.toml", "--mesh", "--levels", "3"}, "--levels is about");

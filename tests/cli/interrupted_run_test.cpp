@@ -41,8 +41,9 @@ class InterruptedRun : public EngineRunner {
     }
 };
 
-TEST_F(InterruptedRun, EndsWith130Or143AfterACheckpoint) {
-    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+TEST_F(InterruptedRun, EndsWithTheCodeOfTheSignalAfterACheckpoint) {
+    for (const auto& [signal, code] :
+         {std::pair{SIGHUP, 129}, std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
         const std::string folder = std::to_string(code);
         const pid_t process =
             start({"run", "endless.toml", "-o", folder, "--quiet", "--threads", "1"});
@@ -56,6 +57,14 @@ TEST_F(InterruptedRun, EndsWith130Or143AfterACheckpoint) {
         EXPECT_EQ(reader.outcome(), "stopped");
         EXPECT_FALSE(reader.is_complete());
     }
+}
+
+TEST_F(InterruptedRun, UnderNohupGoesOnAfterAHangUp) {
+    const Outcome outcome =
+        shell("trap '' HUP; \"$PROGRAM\" run scene.toml -o o --quiet & pid=$!; "
+              "until [ -e o/run.h5 ]; do sleep 0.01; done; kill -HUP $pid; wait $pid");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(RunFileReader(path("o/run.h5").string()).outcome(), "done");
 }
 
 TEST_F(InterruptedRun, ThatIsResumedEndsInTheSameBits) {

@@ -51,11 +51,12 @@ Furniture everything(const FurnitureLayout& layout) {
     return furniture;
 }
 
-std::vector<DrawnBox> drawn_in(int width_px, int height_px, Range range = {-80.0, 80.0}) {
+std::vector<DrawnBox> drawn_in(int width_px, int height_px, Range range = {-80.0, 80.0},
+                               const Field& field = contact_stress()) {
     Image image(width_px, height_px);
     TextPainter text;
-    Furniture furniture =
-        everything(lay_out_furniture(width_px, height_px, {&contact_stress(), true, true}));
+    Furniture furniture = everything(lay_out_furniture(width_px, height_px, {&field, true, true}));
+    furniture.field = &field;
     furniture.range = range;
     return draw_furniture(image, text, furniture);
 }
@@ -145,6 +146,21 @@ TEST(Furniture, LeavesOutTheTitleBeforeWhatTellsTwoRunsApartAndThatBeforeTheTime
         before = now;
     }
     EXPECT_EQ(before, (std::array{true, true, true}));
+}
+
+TEST(ColourBar, SaysTensionAndCompressionOfNormalStressesAlone) {
+    const auto n_tension = [](const char* name) {
+        const auto boxes = drawn_in(1280, 720, {-80.0, 80.0}, *find_field(name));
+        return std::count_if(boxes.begin(), boxes.end(), [](const DrawnBox& box) {
+            return box.what.find("tension") != std::string::npos;
+        });
+    };
+    // Keys of contact forces and principal axes say it too, whatever the field.
+    const auto n_elsewhere = n_tension("neighbours");
+    for (const char* normal : {"sigma_h", "gamma_eff", "stress_xx"})
+        EXPECT_EQ(n_tension(normal), n_elsewhere + 1) << normal;
+    for (const char* shear : {"stress_xy", "stress_xz", "stress_yz"})
+        EXPECT_EQ(n_tension(shear), n_elsewhere) << shear;
 }
 
 TEST(ColourBar, HasTwoLabelsOrMoreWhateverItsRange) {

@@ -407,6 +407,21 @@ TEST(Movie, TheFingerprintKnowsTheWholeCurveOfThePlot) {
     EXPECT_NE(fingerprint(short_run), fingerprint(long_run)) << "the curve below it is longer";
 }
 
+TEST(Movie, ThePlotBelowItHasAGapWhereBeadsArePacked) {
+    struct : DriftingPair {
+        using DriftingPair::DriftingPair;
+        SnapshotPtr frame(int i) override {
+            auto snapshot = std::make_shared<Snapshot>(*DriftingPair::frame(i));
+            if (i == 1) snapshot->stage_name = "anneal";
+            return snapshot;
+        }
+    } run(4);
+    scene::Picture picture = synthetic::make_picture("mean_stress");
+    picture.plot = "sigma_h_core";
+    const Survey survey = survey_frames(run, picture);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(std::isnan(survey.plotted[i]), i == 1) << i;
+}
+
 TEST(Movie, ItsShotsFreezeTurnAndCut) {
     const TemporaryFolder folder;
     DriftingPair frames(5);

@@ -81,6 +81,23 @@ TEST(NodeSheet, OfANodeWithoutForcesHasNoArrows) {
     EXPECT_EQ(blank_reason(sheet), "");
 }
 
+TEST(NodeSheet, OfARunWithALongTitleKeepsItsOwnReadable) {
+    auto moment = moment_with(1.0, 0.0);
+    const auto heading = [&](const std::string& title) {
+        auto header = std::make_shared<RunHeader>(*moment.frame->header);
+        header->title = title;
+        auto frame = std::make_shared<Snapshot>(*moment.frame);
+        frame->header = header;
+        moment.frame = frame;
+        const Image sheet = NodeSheet().draw(moment);
+        std::vector<Rgb> pixels;
+        for (int y = 20; y < 60; ++y)
+            for (int x = 0; x < 630; ++x) pixels.push_back(sheet.at(x, y));
+        return pixels;
+    };
+    EXPECT_TRUE(heading("Short") == heading(std::string(300, 'w')));
+}
+
 TEST(NodeSheet, SaysWhereItIsFrom) {
     const auto texts = node_sheet_texts(moment_with(1.0, 0.0), "0.1", "spheroscope inspect");
     EXPECT_NE(texts.at("Title").find("Forces on node 5 of cell 0"), std::string::npos);
