@@ -32,6 +32,9 @@ render::ImageTolerance tolerance_of(const DiffArguments& arguments) {
 ExitCode diff(const DiffArguments& arguments) {
     const render::Image reference = render::read_png(arguments.reference).image;
     const render::Image other = render::read_png(arguments.other).image;
+    if (arguments.common.json &&
+        (reference.width != other.width || reference.height != other.height))
+        cli::print_json({{"equal", false}, {"reasons", {"the sizes differ"}}});
     const render::ImageDifference d = render::compare_images(reference, other, arguments.threshold);
     std::vector<std::string> reasons = render::broken_bounds(d, tolerance_of(arguments));
     for (const auto& [image, path] :

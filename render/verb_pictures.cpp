@@ -34,7 +34,7 @@ std::vector<scene::Picture> pictures_of(const RunFileReader& reader,
     if (scene.pictures.empty())
         throw Error(reader.path() + ": its scene has no [[picture]]",
                     fmt::format("add one with --set 'picture[0].field={}'",
-                                fields.empty() ? "none" : fields.front()->name));
+                                fields.empty() ? "" : fields.front()->name));
     return scene.pictures;
 }
 

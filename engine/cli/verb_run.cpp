@@ -40,11 +40,16 @@ Task task_of(const RunArguments& arguments) {
         return {scene::load_scene(arguments.scene, common.overrides()), {}};
     if (common.output.empty())
         throw Error(arguments.scene + ": a run that is repeated needs another place",
-                    "name a folder with -o");
+                    common.resume ? "to go on with this run, give its scene; to repeat it from its "
+                                    "beginning, name a folder with -o"
+                                  : "name a folder with -o");
     const RunFileReader reader(arguments.scene);
-    return {scene::parse_scene(reader.header()->resolved_scene, reader.header()->scene_name,
-                               common.overrides()),
-            reader.changes()};
+    Task task{scene::parse_scene(reader.header()->resolved_scene, "scene in " + reader.path(),
+                                 common.overrides()),
+              reader.changes()};
+    task.scene.file =
+        reader.header()->scene_name;  // the run that is made has the name of its first
+    return task;
 }
 
 ExitCode run(const RunArguments& arguments, const Invocation& invocation) {

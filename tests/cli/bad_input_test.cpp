@@ -196,6 +196,13 @@ TEST_F(BadInput, OfAFullStdoutEndsWith5HoweverLongTheResultIs) {
     }
 }
 
+TEST_F(BadInput, InWhatIsChangedOfARepeatedRunNamesTheSceneInItsFile) {
+    put_run();
+    expect_refused({"run", "o/run.h5", "-o", "again", "--set", "contact.adhesion.omega=1.5 nN/um"},
+                   "scene in o/run.h5:");
+    expect_refused({"run", "o/run.h5", "--resume"}, "to go on with this run, give its scene");
+}
+
 TEST_F(BadInput, OfAClosedStdoutEndsWith5) {
     const Outcome outcome = shell("exec \"$PROGRAM\" --version >&-");
     EXPECT_EQ(outcome.code, 5) << outcome.err;

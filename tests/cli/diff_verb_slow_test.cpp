@@ -63,6 +63,7 @@ TEST_F(DiffVerb, OfPicturesThatCannotBeComparedSaysWhy) {
     const Outcome sizes = call({"diff", "square.png", "sheet.png"});
     EXPECT_EQ(sizes.code, 4);
     EXPECT_NE(sizes.err.find("64 x 48 and 208 x 88"), std::string::npos) << sizes.err;
+    EXPECT_EQ(diff({"square.png", "sheet.png"}, 4)["equal"], false);
     write_file("text.png", "no picture");
     for (const std::string name : {"text.png", "missing.png"}) {
         const Outcome outcome = call({"diff", "square.png", name});
