@@ -92,7 +92,7 @@ void append(std::vector<float>& values, const Vec3& v) {
 std::vector<Vec3> kept_forces_nN(System& pair) {
     std::vector<Vec3> sum(pair.model().n_all_nodes(), Vec3::Zero());
     for (const auto& term : pair.parts().terms) {
-        if (term.get() == pair.parts().wall || term->name() == "body_force") continue;
+        if (pair.parts().is_load(*term)) continue;
         const std::vector<Vec3> F = pair.force_of_term(*term);
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += F[i];
     }

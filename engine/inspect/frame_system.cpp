@@ -49,6 +49,7 @@ void FrameSystem::use_mesh(int n_nodes) {
         parts.wall = nullptr;
         parts.hull = nullptr;
         parts.probe = nullptr;
+        parts.body_force = nullptr;
         parts.cytosol = nullptr;
         parts.frictions = {};
     }

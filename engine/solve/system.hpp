@@ -24,10 +24,17 @@ struct SystemParts {
     const ForceTerm* wall = nullptr;           ///< one of `terms`; acts only while State::wall does
     const ConfiningHull* hull = nullptr;       ///< one of `terms`; likewise with State::load
     const IndentingProbe* probe = nullptr;     ///< likewise
+    const ForceTerm* body_force = nullptr;     ///< one of `terms`
     const CytosolPressure* cytosol = nullptr;  ///< one of `terms`
     Frictions frictions;
     std::optional<ContactLaw> contact;
     ContactPrecision contact_precision = ContactPrecision::double_precision;
+
+    /// Whether the term pushes cells from outside: the tables of the scene that it comes from load
+    /// all cells, and say nothing of the cells themselves.
+    [[nodiscard]] bool is_load(const ForceTerm& term) const {
+        return &term == wall || &term == hull || &term == probe || &term == body_force;
+    }
 };
 
 /// Something went wrong in the numbers; says where, for a message that names term, cell and scene

@@ -215,7 +215,7 @@ SystemParts build_parts(const scene::Scene& scene, std::span<const Vec3> held_fo
                                                       *p->friction_tangential_kPa_s_per_um};
     }
     if (const auto& p = scene.body_force)
-        add(std::make_unique<BodyForce>(
+        parts.body_force = add(std::make_unique<BodyForce>(
             p->loc,
             BodyForceParameters{Vec3(p->force_nN[0], p->force_nN[1], p->force_nN[2]), p->opposed}));
     if (const auto& p = scene.held)

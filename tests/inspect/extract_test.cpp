@@ -29,7 +29,7 @@ ExtractedPair extract(const SmallRun& run, const ContactKey& key) {
     return extract_pair(whole, key, "pair.h5", 1.0);
 }
 
-SmallRun run_pair(const ExtractedPair& pair, bool is_held) {
+Engine engine_of(const ExtractedPair& pair, bool is_held) {
     std::string text = pair.scene_toml;
     const std::string table = "[load.held]\n";
     if (!is_held) text.erase(text.find("\n" + table) + 1, table.size());
@@ -41,8 +41,25 @@ SmallRun run_pair(const ExtractedPair& pair, bool is_held) {
         given.x_um.emplace_back(double{pair.frame.x_um[i]}, double{pair.frame.x_um[i + 1]},
                                 double{pair.frame.x_um[i + 2]});
     if (is_held) given.held = pair.load;
-    Engine engine(scene, {.threads = 1, .version = {}, .command_line = {}}, given);
+    return {scene, {.threads = 1, .version = {}, .command_line = {}}, given};
+}
+
+SmallRun run_pair(const ExtractedPair& pair, bool is_held) {
+    Engine engine = engine_of(pair, is_held);
     return test::run_engine(engine);
+}
+
+/// The velocities of the first step that the extracted scene takes when it is run.
+std::vector<Vec3> first_velocities_um_per_s(const ExtractedPair& pair) {
+    Engine engine = engine_of(pair, true);
+    std::atomic<bool> stop{false};
+    EngineSinks sinks;
+    sinks.frame = [](const SnapshotPtr&) { return std::optional<std::string>(); };
+    sinks.checkpoint = [](const CheckpointData&) {};
+    sinks.progress = [&](const RunProgress&) { stop = true; };
+    static_cast<void>(engine.run(sinks, stop));
+    EXPECT_EQ(engine.state().diagnostics.steps, 1);
+    return engine.state().state.v_um_per_s;
 }
 
 double force_of(const Snapshot& frame, int a, int b) {
@@ -130,6 +147,66 @@ TEST(ExtractedPair, MovesAsItDidInTheRun) {
     }
     EXPECT_LT(error2, 1e-12 * size2);
 }
+
+/// What presses on three cells, up to their last step. That one is so short that it shows the
+/// velocities that forces alone give: in a longer one what stiffens cells from outside counts too.
+struct Pressed {
+    const char* name;
+    const char* stages;
+    const char* tables;
+};
+
+class PressedPair : public testing::TestWithParam<Pressed> {};
+
+TEST_P(PressedPair, TakesTheStepThatTheRunTook) {
+    PairScene text;
+    text.nodes = 42;
+    text.cells = ", [0, 15.5, 17, 9]";
+    text.stages = GetParam().stages;
+    text.extra = GetParam().tables;
+    const scene::Scene scene = scene::parse_scene(test::text_of(text), "pressed.toml",
+                                                  {{"method.linear_tolerance", "1e-9"}});
+    Engine engine(scene, {.threads = 1, .version = {}, .command_line = {}});
+    const SmallRun run = test::run_engine(engine);
+    ASSERT_GT(run.n_frames(), 2);
+    const SnapshotPtr& before = run.frames[run.frames.size() - 2];
+    ASSERT_NEAR(run.last()->time_s - before->time_s, run.last()->diagnostics.dt_s, 1e-9)
+        << "one step lies between the last two frames";
+    ASSERT_LT(run.last()->diagnostics.dt_s, 3e-6);
+    FrameSystem whole(run.header, {}, FrameSystem::Detail::forces);
+    whole.load(before);
+    const std::vector<Vec3>& v_um_per_s = engine.state().state.v_um_per_s;
+    for (const ContactKey& key : {ContactKey{0, 1}, ContactKey{1, 2}}) {
+        SCOPED_TRACE(key.text());
+        const ExtractedPair pair = extract_pair(whole, key, "pair.h5", 1e-5);
+        const std::vector<Vec3> v_pair = first_velocities_um_per_s(pair);
+        double error2 = 0.0, size2 = 0.0;
+        std::size_t i = 0;
+        for (const int cell : {key.cell_a, key.cell_b})
+            for (const Vec3& v : whole.system().model().cell_nodes(std::span(v_um_per_s), cell)) {
+                error2 += (v_pair.at(i++) - v).squaredNorm();
+                size2 += v.squaredNorm();
+            }
+        // Frames hold positions to 1e-6 um, and contacts overlap by some 0.1 um.
+        EXPECT_LT(std::sqrt(error2), 1e-3 * std::sqrt(size2));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    By, PressedPair,
+    testing::Values(
+        Pressed{"nothing", "[[stage]]\nkind = \"relax\"\nduration = 0.400002\nevery = 0.4\n", ""},
+        Pressed{"body_force", "[[stage]]\nkind = \"relax\"\nduration = 0.400002\nevery = 0.4\n",
+                "[load.body_force]\nforce = [0, \"3 nN\", \"10 nN\"]\n"},
+        Pressed{"wall",
+                "[[stage]]\nkind = \"compact\"\nduration = 2\nevery = 2\n"
+                "[[stage]]\nkind = \"hold\"\nduration = 4e-6\nevery = 2e-6\n",
+                ""},
+        Pressed{"bead",
+                "[[stage]]\nkind = \"indent\"\nforce = \"30 nN\"\n"
+                "direction = [0.2, -1, 0]\nduration = 0.400002\nevery = 0.4\n",
+                ""}),
+    [](const auto& of) { return std::string(of.param.name); });
 
 TEST(ExtractedPair, HoldsTheWallThatPressedIt) {
     PairScene scene;
