@@ -15,9 +15,6 @@
 namespace spheroscope::inspect {
 namespace {
 
-/// The velocities are solved for to this relative residual.
-constexpr double k_tolerance = 1e-10;
-
 /// Tables of the run's scene that do not belong to two cells alone: how they came about, what was
 /// asked of the whole, and loads, which are among the held forces.
 bool is_dropped(std::string_view header) {
@@ -159,17 +156,13 @@ ExtractedPair extract_pair(FrameSystem& frame, const ContactKey& key, const std:
                     "there are contacts with forces in later stages");
     if (!summarize(frame, key).exists)
         static_cast<void>(inspect_contact(frame, key));  // throws, with the nearest contacts
-    System& whole = frame.system();
-    std::vector<Vec3> v(whole.model().n_all_nodes(), Vec3::Zero());
-    if (!whole.solve_friction(whole.force_nN(), v, k_tolerance).converged)
-        throw Error("the velocities of frame " + number + " could not be solved for", "",
-                    ExitCode::not_converged);
+    const std::vector<Vec3> v = solved_velocities_um_per_s(frame);
     FrameSystem two(std::make_shared<RunHeader>(frame.header()), {key.cell_a, key.cell_b},
                     FrameSystem::Detail::forces);
     two.load(std::make_shared<Snapshot>(frame.frame()));
 
     ExtractedPair result;
-    result.load.force_nN = held_forces_nN(whole.model(), v, two);
+    result.load.force_nN = held_forces_nN(frame.system().model(), v, two);
     const auto integral_s = two.system().configuration().volume_integral_s;
     result.load.volume_integral_s.assign(integral_s.begin(), integral_s.end());
     result.scene_toml = scene_text(frame, key, run_file, duration_s);

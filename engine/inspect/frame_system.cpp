@@ -123,4 +123,15 @@ std::vector<double> FrameSystem::volume_integrals_s(const std::vector<Vec3>& x_u
     return integrals_s;
 }
 
+std::vector<Vec3> solved_velocities_um_per_s(FrameSystem& frame) {
+    constexpr double k_relative_residual = 1e-10;
+    System& system = frame.system();
+    std::vector<Vec3> v_um_per_s(system.model().n_all_nodes(), Vec3::Zero());
+    if (!system.solve_friction(system.force_nN(), v_um_per_s, k_relative_residual).converged)
+        throw Error("the velocities of frame " + std::to_string(frame.frame().frame) +
+                        " could not be solved for",
+                    "", ExitCode::not_converged);
+    return v_um_per_s;
+}
+
 }  // namespace spheroscope::inspect

@@ -61,4 +61,8 @@ class FrameSystem {
     SnapshotPtr frame_;
 };
 
+/// The velocities [all nodes] that balance friction with the forces of the loaded frame (all
+/// cells, Detail::forces): Gamma v = F. Throws Error when the solver does not converge.
+[[nodiscard]] std::vector<Vec3> solved_velocities_um_per_s(FrameSystem& frame);
+
 }  // namespace spheroscope::inspect

@@ -9,9 +9,6 @@
 namespace spheroscope::inspect {
 namespace {
 
-/// The velocities are solved for to this relative residual.
-constexpr double k_tolerance = 1e-10;
-
 /// Adds the contact forces of a cell to rows, one for each neighbour.
 void add_contacts(const FrameSystem& frame, const Configuration& at, int cell, int node,
                   std::vector<NodeForce>& rows) {
@@ -80,8 +77,7 @@ NodeForces forces_on_node(FrameSystem& frame, int cell, int node) {
     const auto of_node = [&](std::span<const Vec3> all) {
         return all[idx(cell) * idx(model.n_nodes()) + idx(node)];
     };
-    std::vector<Vec3> v(model.n_all_nodes(), Vec3::Zero());
-    static_cast<void>(system.solve_friction(system.force_nN(), v, k_tolerance));
+    const std::vector<Vec3> v = solved_velocities_um_per_s(frame);
 
     NodeForces result;
     result.cell = cell;

@@ -205,5 +205,25 @@ TEST(NodeForces, HaveThePressureThatTheRunHadAtThatTime) {
     EXPECT_THROW(static_cast<void>(forces_on_node(system, 0, 162)), Error);
 }
 
+TEST(NodeForces, AreRefusedWhereTheVelocitiesCannotBeSolvedFor) {
+    const SmallRun run = run_scene_text(text_of({}));
+    // So stiff that no digits are left of the friction with the medium.
+    const auto header = std::make_shared<RunHeader>(*run.header);
+    header->resolved_scene = scene::parse_scene(run.header->resolved_scene, "stiff",
+                                                {{"medium.eta_f", "1e-9 kPa s"},
+                                                 {"contact.friction.normal", "1e9 kPa s/um"},
+                                                 {"contact.friction.tangential", "1e9 kPa s/um"}})
+                                 .resolved_toml;
+    FrameSystem system(header, {}, Detail::forces);
+    system.load(run.last());
+    try {
+        static_cast<void>(forces_on_node(system, 0, 0));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::not_converged);
+        EXPECT_STREQ(error.what(), "error: the velocities of frame 2 could not be solved for");
+    }
+}
+
 }  // namespace
 }  // namespace spheroscope::inspect
