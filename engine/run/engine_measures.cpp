@@ -116,10 +116,10 @@ std::vector<MeasureError> Engine::estimate_errors() {
             return stage.until != scene::Until::duration;
         });
     const MethodRow& method = chosen_method(scene_);
-    std::vector<MeasureError> errors =
-        measure_errors(result_.totals, before ? &*before : nullptr, seen.last_step_s(),
-                       seen.time_error_s(method.order),
-                       wants_rest ? seen.missing_time_s(run_.state.time_s) : k_unknown);
+    std::vector<MeasureError> errors = measure_errors(
+        result_.totals, before ? &*before : nullptr, seen.last_step_s(),
+        seen.time_error_s(method.order),
+        wants_rest ? seen.missing_time_s(run_.state.time_s - run_.memory.start_s) : k_unknown);
     for (MeasureError& error : errors)
         error.halves_time = advice_on_time_steps(method, has_fixed_steps(scene_));
     return errors;

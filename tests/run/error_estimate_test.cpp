@@ -1,4 +1,6 @@
 #include "engine/run/companion.hpp"
+#include "engine/run/engine.hpp"
+#include "engine/stages/choices.hpp"
 
 #include <gtest/gtest.h>
 
@@ -68,6 +70,52 @@ TEST(MissingTime, OfAMotionThatDoesNotSlowDownIsThatOfAnotherStage) {
     }
     EXPECT_EQ(collector.missing_time_s(8.0), 8.0);
     EXPECT_EQ(collector.last_step_back_um()[0], Vec3(0.0, -0.25, 0.0));
+}
+
+TEST(MissingTime, OfARunIsAtMostThatOfItsLastStage) {
+    constexpr const char* k_two_stages = R"(
+[cells]
+arrangement = "centres"
+nodes = 42
+centres = [[0, 0, -8.8, 9], [0, 0, 8.8, 9]]
+[cortex.elastic]
+E = "20 kPa"
+[cortex.tension]
+gamma = "0.5 nN/um"
+[cortex.viscosity]
+eta = "1 kPa s"
+[cytosol]
+K = "5 kPa"
+[medium]
+[contact]
+[contact.adhesion]
+omega = "0.5 nN/um"
+[[stage]]
+kind = "relax"
+duration = "0.5 s"
+[[stage]]
+kind = "relax"
+until = "rest"
+cap = "0.05 s"
+every = "0.01 s"
+)";
+    const scene::Scene scene = scene::parse_scene(k_two_stages, "two_stages.toml");
+    Engine engine(scene, {.threads = 1, .version = {}, .command_line = {}});
+    EngineSinks sinks;
+    sinks.frame = [](const SnapshotPtr&) { return std::optional<std::string>(); };
+    const std::atomic<bool> stop{false};
+    const RunResult result = engine.run(sinks, stop);
+    ASSERT_EQ(result.outcome, "cap");
+    ASSERT_NEAR(result.time_s, 0.55, 1e-9);
+    const ErrorCollector& seen = engine.state().errors;
+    ASSERT_GT(seen.missing_time_s(0.55), 0.1) << "the cells are far from rest";
+    ASSERT_FALSE(result.errors.empty());
+    for (const MeasureError& error : result.errors) {
+        // Both parts are a time times the rate at which the measure still changes.
+        const double per_s = error.time / seen.time_error_s(chosen_method(scene).order);
+        if (per_s == 0.0) continue;
+        EXPECT_NEAR(error.rest / per_s, 0.05, 1e-6) << error.measure;
+    }
 }
 
 TEST(MeasureError, AddsItsPartsSaysWhatWouldHalveTheLargestAndWhenNothingIsResolved) {
