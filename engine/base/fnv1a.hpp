@@ -1,7 +1,9 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace spheroscope {
@@ -17,6 +19,9 @@ class Fnv1a {
     void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
     void add(std::string_view text) {
         for (const char c : text) add_byte(static_cast<unsigned char>(c));
+    }
+    void add(std::span<const std::byte> bytes) {
+        for (const std::byte byte : bytes) add_byte(std::to_integer<unsigned char>(byte));
     }
     [[nodiscard]] std::uint64_t value() const { return hash_; }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/descriptor.hpp"
 #include "engine/base/error.hpp"
+#include "engine/base/fnv1a.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -101,7 +102,9 @@ struct Journal {
 std::uint64_t checksum_of(JournalHead head, std::span<const std::byte> numbers,
                           std::span<const std::byte> pages) {
     head.checksum = 0;
-    return checksum(pages, checksum(numbers, checksum(bytes_of(head))));
+    Fnv1a sum;
+    for (const std::span<const std::byte> part : {bytes_of(head), numbers, pages}) sum.add(part);
+    return sum.value();
 }
 
 /// Nothing if there is no complete journal: its writer was killed before the file was touched.
@@ -129,13 +132,6 @@ std::optional<Journal> read_journal(const std::string& path, std::size_t page_by
 }
 
 }  // namespace
-
-std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t start) {
-    std::uint64_t sum = start;
-    for (const std::byte byte : bytes)
-        sum = (sum ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3U;
-    return sum;
-}
 
 void sync_to_disk(const std::string& path) {
     const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));

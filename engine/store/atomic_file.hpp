@@ -86,8 +86,4 @@ class AtomicFile {
 /// Waits until the file's contents, or a folder's names, are on the disk. Throws Error.
 void sync_to_disk(const std::string& path);
 
-/// FNV-1a, 64 bits (Fowler, Noll and Vo): finds damage, not malice.
-[[nodiscard]] std::uint64_t checksum(std::span<const std::byte> bytes,
-                                     std::uint64_t start = 0xcbf29ce484222325U);
-
 }  // namespace spheroscope

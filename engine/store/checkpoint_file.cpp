@@ -1,6 +1,7 @@
 #include "engine/store/checkpoint_file.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/base/fnv1a.hpp"
 #include "engine/store/atomic_file.hpp"
 #include "engine/store/hdf5_file.hpp"
 
@@ -33,14 +34,14 @@ class Summer {
   public:
     template <class T> void add(const std::string& name, std::span<const T> values) {
         const std::uint64_t n = values.size();
-        sum_ = checksum(std::as_bytes(std::span(name.c_str(), name.size() + 1)), sum_);
-        sum_ = checksum(std::as_bytes(std::span(&n, 1)), sum_);
-        sum_ = checksum(std::as_bytes(values), sum_);
+        sum_.add(std::as_bytes(std::span(name.c_str(), name.size() + 1)));
+        sum_.add(std::as_bytes(std::span(&n, 1)));
+        sum_.add(std::as_bytes(values));
     }
-    [[nodiscard]] std::uint64_t sum() const { return sum_; }
+    [[nodiscard]] std::uint64_t sum() const { return sum_.value(); }
 
   private:
-    std::uint64_t sum_ = checksum({});
+    Fnv1a sum_;
 };
 
 std::uint64_t checksum_of(const CheckpointData& data) {

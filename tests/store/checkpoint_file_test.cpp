@@ -1,5 +1,6 @@
 #include "engine/base/error.hpp"
 #include "engine/store/checkpoint_file.hpp"
+#include "engine/store/hdf5_file.hpp"
 #include "run_samples.hpp"
 
 #include <gtest/gtest.h>
@@ -83,6 +84,16 @@ TEST_F(Checkpoint, AfterAKillBetweenTheTwoRenamesTheOlderOneIsFound) {
     const LoadedCheckpoint loaded = read_newest_checkpoint(run_);
     expect_equal(loaded.data, make_data(1));
     EXPECT_NE(loaded.note, "");
+}
+
+TEST_F(Checkpoint, HasTheChecksumThatEveryVersionHasWritten) {
+    CheckpointData data;
+    data.float64["a"] = {1.5};
+    data.text["b"] = "xy";
+    write_checkpoint(run_, data);
+    const hdf5::File file(checkpoint_path(run_), hdf5::File::Mode::read);
+    // FNV-1a of "a\0", 1, 1.5, "b\0", 2, "xy"
+    EXPECT_EQ(file.unsigned_attribute("/", "checksum"), 0x3f24066d99657fb3ULL);
 }
 
 TEST_F(Checkpoint, AChangedNumberIsNoticed) {
