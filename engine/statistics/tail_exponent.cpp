@@ -2,6 +2,8 @@
 
 #include "engine/base/random.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,8 @@ namespace spheroscope::statistics {
 namespace {
 
 constexpr double k_beta_low = 0.1, k_beta_high = 6.0;
+/// The search comes to within 1e-5 of a bound at which the likelihood still grows.
+constexpr double k_at_bound = 1e-4;
 
 /// A bin of the tail.
 struct Point {
@@ -90,17 +94,23 @@ double best_beta(const Tail& tail, TailScale scale) {
                   [&](double beta) { return best_scale(tail, beta, scale).surprise; });
 }
 
+bool ends_at_bound(double beta) {
+    return beta < k_beta_low + k_at_bound || beta > k_beta_high - k_at_bound;
+}
+
 int bins_needed(TailScale scale) { return scale == TailScale::free ? 4 : 3; }
 
 std::optional<double> beta_of(std::span<const double> f, TailScale scale) {
     const Tail tail = tail_of(doane_histogram(f));
     if (tail.n_filled < bins_needed(scale)) return {};
-    return best_beta(tail, scale);
+    const double beta = best_beta(tail, scale);
+    if (ends_at_bound(beta)) return {};
+    return beta;
 }
 
 /// Standard deviation of beta over samples of the forces, drawn with replacement.
-double bootstrap_error(std::span<const double> f, TailScale scale, std::uint64_t seed,
-                       int n_samples) {
+void add_bootstrap(std::span<const double> f, TailScale scale, std::uint64_t seed, int n_samples,
+                   TailFit& fit) {
     const Random random(seed, static_cast<std::uint32_t>(RandomStream::bootstrap));
     double sum = 0.0, square = 0.0;
     int n = 0;
@@ -117,8 +127,11 @@ double bootstrap_error(std::span<const double> f, TailScale scale, std::uint64_t
             ++n;
         }
     }
-    return n > 1 ? std::sqrt(std::max(0.0, (square - sum * sum / n) / (n - 1)))
-                 : std::numeric_limits<double>::quiet_NaN();
+    fit.n_samples = n_samples;
+    fit.n_failed_samples = n_samples - n;
+    const bool is_known = n > 1 && fit.n_failed_samples <= k_most_failed * n_samples;
+    fit.beta_error = is_known ? std::sqrt(std::max(0.0, (square - sum * sum / n) / (n - 1)))
+                              : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -142,6 +155,10 @@ TailFit fit_tail(std::span<const double> f, TailScale scale, std::uint64_t seed,
         return fit;
     }
     fit.beta = best_beta(tail, scale);
+    if (ends_at_bound(fit.beta)) {
+        fit.reason = fmt::format("beta ends at its bound, {:.3g}", fit.beta);
+        return fit;
+    }
     fit.b = best_scale(tail, fit.beta, scale).b;
     double count = 0.0, sum = 0.0;
     for (const Point& point : tail.points) {
@@ -150,7 +167,7 @@ TailFit fit_tail(std::span<const double> f, TailScale scale, std::uint64_t seed,
     }
     fit.a = count / (histogram.n * histogram.width * sum);
 
-    fit.beta_error = bootstrap_error(f, scale, seed, n_samples);
+    add_bootstrap(f, scale, seed, n_samples, fit);
     return fit;
 }
 

@@ -77,5 +77,33 @@ TEST(TailFit, OfFewForcesSaysWhyThereIsNone) {
     EXPECT_NE(fit_tail(two_values, TailScale::one).reason.find("bins"), std::string::npos);
 }
 
+TEST(TailFit, ThatEndsAtABoundOfBetaIsNone) {
+    // As many between 1 and 2 everywhere: no exponent is small enough.
+    std::vector<double> flat;
+    for (int i = 0; i < 400; ++i) flat.push_back((i + 0.5) / 200.0);
+    const TailFit low = fit_tail(flat, TailScale::one);
+    EXPECT_FALSE(low.exists());
+    EXPECT_EQ(low.reason, "beta ends at its bound, 0.1");
+    // Nearly all in the first bin above 1: none is large enough.
+    std::vector<double> steep(300, 0.3);
+    steep.resize(2000, 1.05);
+    for (const double f : {1.9, 2.5, 3.0}) steep.push_back(f);
+    EXPECT_FALSE(fit_tail(steep, TailScale::one).exists());
+}
+
+TEST(TailFit, HasNoErrorWhereManySamplesHaveNoFit) {
+    // One force fills the third bin: a sample is without it with a chance of 1/e.
+    std::vector<double> f(100, 0.4);
+    f.resize(140, 1.2);
+    f.resize(145, 2.0);
+    f.push_back(3.0);
+    const TailFit fit = fit_tail(f, TailScale::one);
+    ASSERT_TRUE(fit.exists()) << fit.reason;
+    EXPECT_EQ(fit.n_samples, 200);
+    EXPECT_GT(fit.n_failed_samples, 40);
+    EXPECT_TRUE(std::isnan(fit.beta_error));
+    EXPECT_EQ(fit_tail(exponential_forces(4000, 1), TailScale::one, 1, 20).n_failed_samples, 0);
+}
+
 }  // namespace
 }  // namespace spheroscope::statistics
