@@ -28,14 +28,14 @@ std::string list_text(const std::vector<double>& values) {
     return text;
 }
 
-std::vector<double> list_of(const CsvTable& table, std::size_t row, const std::string& path) {
+std::vector<double> list_of(const CsvTable& table, std::size_t row) {
     std::vector<double> values;
     const std::string& text = table.text(row, "by_seed");
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find(' ', at), text.size());
         values.emplace_back();
         if (!reports::read_number(text.substr(at, end - at), values.back()))
-            throw Error(fmt::format("{}: 'by_seed' wants numbers, got '{}'", path, text));
+            table.refuse(row, "by_seed", "numbers");
         at = end + 1;
     }
     return values;
@@ -46,13 +46,13 @@ std::vector<double> totals_of_runs(const MeasuredSetup& setup, const std::string
     const TotalsRow* const row = find_total(name);
     std::vector<double> values;
     for (const MeasuredRun& run : setup.runs)
-        if (row != nullptr && run.totals) values.push_back(value_of(*row, *run.totals));
+        if (row != nullptr && run.totals) values.push_back(run.total(*row));
     return values.size() == setup.runs.size() ? values : std::vector<double>{};
 }
 
 MeasuredRun run_of(const CsvTable& table, std::size_t row) {
     MeasuredRun run;
-    run.seed = static_cast<std::uint64_t>(table.number(row, "seed"));
+    run.seed = table.integer<std::uint64_t>(row, "seed");
     run.outcome = table.text(row, "outcome");
     run.version = table.text(row, "version");
     run.time_s = table.number(row, "time_s");
@@ -63,15 +63,15 @@ MeasuredRun run_of(const CsvTable& table, std::size_t row) {
     bool is_of_cells = false;
     for (const TotalsRow& total : all_totals()) {
         // a report of an older version has fewer of them
-        const double value = table.has(std::string(total.name))
-                                 ? table.number(row, total.name)
-                                 : std::numeric_limits<double>::quiet_NaN();
-        is_of_cells = is_of_cells || !std::isnan(value);
+        const bool is_missing = !table.has(total.name) || table.is_missing(row, total.name);
+        is_of_cells = is_of_cells || !is_missing;
         if (const auto* real = std::get_if<double Totals::*>(&total.member))
-            totals.** real = value;
+            totals.** real = is_missing ? std::numeric_limits<double>::quiet_NaN()
+                                        : table.number(row, total.name);
+        else if (is_missing)
+            run.missing_counts.push_back(total.name);
         else
-            totals.*std::get<int Totals::*>(total.member) =
-                std::isnan(value) ? 0 : static_cast<int>(value);
+            totals.*std::get<int Totals::*>(total.member) = table.integer<int>(row, total.name);
     }
     if (is_of_cells) run.totals = totals;
     return run;
@@ -101,8 +101,7 @@ std::string scene_mark(std::string_view resolved_toml) {
 }
 
 MeasuredSetups kept_setups(const std::string& folder) {
-    const std::string numbers_path = folder + "/numbers.csv";
-    const CsvTable numbers(numbers_path), runs(folder + "/runs.csv");
+    const CsvTable numbers(folder + "/numbers.csv"), runs(folder + "/runs.csv");
     MeasuredSetups kept;
     for (std::size_t row = 0; row < runs.n_rows(); ++row)
         kept[runs.text(row, "setup")].runs.push_back(run_of(runs, row));
@@ -110,15 +109,14 @@ MeasuredSetups kept_setups(const std::string& folder) {
     for (std::size_t row = 0; row < numbers.n_rows(); ++row) {
         MeasuredSetup& setup = kept[numbers.text(row, "setup")];
         setup.law = numbers.text(row, "law");
-        setup.n_cells = static_cast<int>(numbers.number(row, "cells"));
-        const double n_nodes = numbers.number(row, "nodes");
-        setup.n_nodes = std::isnan(n_nodes) ? 0 : static_cast<int>(n_nodes);
+        setup.n_cells = numbers.integer<int>(row, "cells");
+        setup.n_nodes = numbers.is_missing(row, "nodes") ? 0 : numbers.integer<int>(row, "nodes");
         SetupNumber number{numbers.text(row, "number"),
                            numbers.text(row, "unit"),
                            {numbers.number(row, "mean"), numbers.number(row, "standard_error"),
-                            static_cast<int>(numbers.number(row, "seeds"))}};
+                            numbers.integer<int>(row, "seeds")}};
         if (has_values)
-            number.by_run = list_of(numbers, row, numbers_path);
+            number.by_run = list_of(numbers, row);
         else
             number.by_run = totals_of_runs(setup, number.name);
         setup.numbers.push_back(std::move(number));

@@ -224,6 +224,12 @@ reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
     return table;
 }
 
+double MeasuredRun::total(const TotalsRow& row) const {
+    const bool is_missing =
+        std::find(missing_counts.begin(), missing_counts.end(), row.name) != missing_counts.end();
+    return is_missing ? std::numeric_limits<double>::quiet_NaN() : value_of(row, totals.value());
+}
+
 reports::ReportTable runs_report(const MeasuredSetups& measured) {
     reports::ReportTable table;
     table.columns = {{"setup"},  {"seed"},    {"outcome"}, {"time_s"},
@@ -239,7 +245,7 @@ reports::ReportTable runs_report(const MeasuredSetups& measured) {
             else
                 cells.emplace_back(run.scene);
             for (const TotalsRow& row : all_totals())
-                cells.emplace_back(run.totals ? value_of(row, *run.totals)
+                cells.emplace_back(run.totals ? run.total(row)
                                               : std::numeric_limits<double>::quiet_NaN());
             table.rows.push_back(std::move(cells));
         }

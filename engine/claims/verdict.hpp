@@ -19,6 +19,11 @@ struct MeasuredRun {
     double time_s = 0.0, wall_s = 0.0;
     std::optional<Totals> totals = {};  ///< of cells; beads have none
     std::string scene = {};             ///< scene_mark of its scene; "": not known, or beads
+    /// Names of the counts that `totals` does not have, as the report of an older version did not.
+    std::vector<std::string_view> missing_counts = {};
+
+    /// Of `totals`, which must be there; NaN: not known.
+    [[nodiscard]] double total(const TotalsRow& row) const;
 };
 
 /// What was measured of one setup, or why nothing was.

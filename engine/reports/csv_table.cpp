@@ -1,7 +1,6 @@
 #include "engine/reports/csv_table.hpp"
 
 #include "engine/base/counted.hpp"
-#include "engine/base/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,38 +12,38 @@
 #include <sstream>
 
 namespace spheroscope::reports {
-namespace {
-
 /// Fields of the record at `at`, which is moved behind it. Quotations may hold commas and line ends
 /// (RFC 4180).
-std::vector<std::string> next_record(const std::string& text, std::size_t& at, int& line,
-                                     const std::string& path) {
+std::vector<CsvTable::Field> CsvTable::next_record(const std::string& text, std::size_t& at,
+                                                   int& line, const std::string& path) {
     const int first_line = line;
-    std::vector<std::string> fields(1);
+    std::size_t line_start = at;
+    std::vector<Field> fields{{"", line, 1}};
     bool is_quoted = false;
     for (; at < text.size(); ++at) {
         const char c = text[at];
-        if (c == '\n') ++line;
+        if (c == '\n') {
+            ++line;
+            line_start = at + 1;
+        }
         if (c == '"') {
             const bool is_doubled = is_quoted && at + 1 < text.size() && text[at + 1] == '"';
             if (is_doubled)
-                fields.back() += text[++at];
+                fields.back().text += text[++at];
             else
                 is_quoted = !is_quoted;
         } else if (c == ',' && !is_quoted) {
-            fields.emplace_back();
+            fields.push_back({"", line, static_cast<int>(at - line_start) + 2});
         } else if (c == '\n' && !is_quoted) {
             ++at;
             return fields;
         } else if (c != '\r' || is_quoted) {
-            fields.back() += c;
+            fields.back().text += c;
         }
     }
     if (is_quoted) throw Error(Loc{path, first_line, 1}, "a quotation has no end");
     return fields;
 }
-
-}  // namespace
 
 bool read_number(const std::string& text, double& value) {
     value = std::numeric_limits<double>::quiet_NaN();
@@ -73,9 +72,9 @@ CsvTable::CsvTable(const std::string& path) : path_(path) {
             continue;
         }
         const int line_of_row = line;
-        std::vector<std::string> fields = next_record(text, at, line, path);
+        std::vector<Field> fields = next_record(text, at, line, path);
         if (columns_.empty()) {
-            columns_ = std::move(fields);
+            for (Field& field : fields) columns_.push_back(std::move(field.text));
             continue;
         }
         if (fields.size() != columns_.size())
@@ -83,7 +82,6 @@ CsvTable::CsvTable(const std::string& path) : path_(path) {
                 Loc{path, line_of_row, 1},
                 fmt::format("wanted {}, got {}", counted(columns_.size(), "field"), fields.size()));
         rows_.push_back(std::move(fields));
-        line_.push_back(line_of_row);
     }
     if (columns_.empty()) throw Error(path + ": there are no columns in it");
 }
@@ -101,15 +99,19 @@ std::size_t CsvTable::column(std::string_view name) const {
 }
 
 const std::string& CsvTable::text(std::size_t row, std::string_view name) const {
-    return rows_[row][column(name)];
+    return rows_[row][column(name)].text;
 }
 
 double CsvTable::number(std::size_t row, std::string_view name) const {
     double value = 0.0;
-    if (!read_number(text(row, name), value))
-        throw Error(Loc{path_, line_[row], 1},
-                    fmt::format("'{}' wants a number, got '{}'", name, text(row, name)));
+    if (!read_number(text(row, name), value)) refuse(row, name, "a number");
     return value;
+}
+
+void CsvTable::refuse(std::size_t row, std::string_view name, std::string_view wanted) const {
+    const Field& field = rows_[row][column(name)];
+    throw Error(Loc{path_, field.line, field.column},
+                fmt::format("'{}' wants {}, got '{}'", name, wanted, field.text));
 }
 
 }  // namespace spheroscope::reports

@@ -157,6 +157,54 @@ TEST_F(KeptReport, SaysWhatIsWrongWithAFile) {
     EXPECT_NE(refusal().find("no columns"), std::string::npos) << refusal();
 }
 
+TEST_F(KeptReport, HasSeedsToTheirLastDigit) {
+    MeasuredSetups measured;
+    const std::uint64_t seed = (1ULL << 53) + 1;  // the first that no double can hold
+    measured["soft"].runs = {{seed, "rest", "0.1", 300.0, 15.5, Totals{}, ""}};
+    write(measured);
+    EXPECT_EQ(kept_setups(folder).at("soft").runs[0].seed, seed);
+}
+
+TEST_F(KeptReport, DoesNotKnowACountThatAnOldOneDoesNotHave) {
+    MeasuredSetups measured;
+    Totals totals{};
+    totals.n_folds = 7;
+    measured["soft"].runs = {{1, "rest", "0.1", 300.0, 15.5, totals, ""}};
+    write(measured);
+    std::string runs = runs_report(measured).csv_text({});
+    const std::string name = ",n_folds";
+    ASSERT_NE(runs.find(name), std::string::npos);
+    runs.replace(runs.find(name), name.size(), ",n_wrinkles");
+    write("runs.csv", runs);
+    const MeasuredSetups kept = kept_setups(folder);
+    const TotalsRow& folds = *find_total("n_folds");
+    EXPECT_TRUE(std::isnan(kept.at("soft").runs[0].total(folds)));
+    // and a report of today that goes on with it does not say that there were none
+    write(kept);
+    EXPECT_TRUE(std::isnan(kept_setups(folder).at("soft").runs[0].total(folds)));
+    write(measured);
+    EXPECT_EQ(kept_setups(folder).at("soft").runs[0].total(folds), 7.0);
+}
+
+TEST_F(KeptReport, SaysWhereACountIsNone) {
+    write(MeasuredSetups{});
+    const std::string head = "setup,number,unit,mean,standard_error,seeds,law,cells,nodes\n";
+    for (const char* cells : {"-", "inf", "nan", "1.5", "many", ""}) {
+        write("numbers.csv", head + "a,Z,1,9.5,-,1,traction," + cells + ",42\n");
+        EXPECT_NE(refusal().find("numbers.csv:2:24: error: 'cells' wants a whole number, got '" +
+                                 std::string(cells) + "'"),
+                  std::string::npos)
+            << refusal();
+    }
+    write("numbers.csv", head + "a,Z,1,9.5,-,1,traction,99999999999,42\n");
+    EXPECT_NE(refusal().find("'cells' wants a smaller whole number, got '99999999999'"),
+              std::string::npos)
+        << refusal();
+    write("numbers.csv", head + "\"a\nb\",Z,1,9.5,-,x,traction,150,42\n");
+    EXPECT_NE(refusal().find("numbers.csv:3:14: error: 'seeds' wants"), std::string::npos)
+        << refusal();
+}
+
 TEST(SceneMark, IsFnv1a) {
     EXPECT_EQ(scene_mark(""), "cbf29ce484222325");
     EXPECT_EQ(scene_mark("a"), "af63dc4c8601ec8c");
