@@ -59,7 +59,6 @@ void write(const std::string& path, const Jammed& jammed, int n_beads, std::uint
     nlohmann::json document{
         {"beads", n_beads}, {"seed", seed}, {"version", jammed.version}, {"wall_s", jammed.wall_s}};
     for (const NumberRow& row : k_numbers) document[row.name] = jammed.*row.member;
-    std::filesystem::create_directories(std::filesystem::path(path).parent_path());
     write_text_file(path, document.dump(2) + "\n");
 }
 
@@ -102,6 +101,8 @@ claims::MeasuredSetup measure_beads(const claims::ClaimedSetup& setup, const std
             if (!std::filesystem::exists(path)) {
                 if (!makes_runs) continue;
                 log_info(fmt::format("{}, seed {}", setup.name, seed));
+                // before the minutes that the beads take
+                make_folder(std::filesystem::path(path).parent_path().string());
                 write(path, jam(setup.beads, seed, version), setup.beads, seed);
             }
             all.push_back(read(path, setup.beads, seed));

@@ -198,6 +198,19 @@ TEST_F(Reproduce, ListsARunThatMissesWhatItsSceneExpects) {
     EXPECT_EQ(remarks.find("n_flipped_triangles"), std::string::npos) << remarks;
 }
 
+TEST_F(Reproduce, GoesOnWhereAFolderCannotBeMade) {
+    write_file("small.claims", with(k_claims, "[[setup]]\nname = \"stiff\"",
+                                    "[[setup]]\nname = \"beads\"\nbeads = 150\nseeds = [1]\n"
+                                    "[[setup]]\nname = \"stiff\""));
+    std::filesystem::create_directories(path("out"));
+    write_file("out/beads", "no folder");
+    const Outcome outcome = reproduce("--full");
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find("out/beads/seed=1: cannot make this folder"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(verdict(outcome, 0), "agrees") << "of the other setups: " << outcome.out;
+}
+
 TEST_F(Reproduce, RefusesARunOfAnotherScene) {
     ASSERT_EQ(reproduce("--quick").code, 0);
     std::string changed = k_claims;
