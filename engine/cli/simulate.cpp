@@ -11,6 +11,7 @@
 #include "engine/contact/simd_target.hpp"
 #include "engine/run/channels.hpp"
 #include "engine/run/companion.hpp"
+#include "engine/scene/same_run.hpp"
 #include "engine/stages/choices.hpp"
 #include "engine/store/checkpoint_file.hpp"
 #include "engine/store/held_load_file.hpp"
@@ -204,17 +205,7 @@ SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene&
 }  // namespace
 
 bool is_run_of(const scene::Scene& scene, const RunHeader& stored) {
-    const auto without_pictures = [](const std::string& text) {
-        return text.substr(0, text.find("[[picture]]"));
-    };
-    try {
-        // An earlier version did not write keys that have come since; read anew, they have their
-        // defaults.
-        const scene::Scene read = scene::parse_scene(stored.resolved_scene, "stored");
-        return without_pictures(read.resolved_toml) == without_pictures(scene.resolved_toml);
-    } catch (const Error&) {
-        return false;  // a scene that this version does not take is another one
-    }
+    return scene::is_same_run(stored.resolved_scene, scene.resolved_toml);
 }
 
 void check_nothing_is_lost(const RunPlace& place, const scene::Scene& scene,

@@ -79,7 +79,7 @@ void make_run(const scene::Scene& scene, const RunPlace& place, const CommonOpti
 bool is_made(const std::string& file, const scene::Scene& scene) {
     if (!std::filesystem::exists(file)) return false;
     const RunFileReader reader(file);
-    if (reader.header()->resolved_scene != scene.resolved_toml)
+    if (!is_run_of(scene, *reader.header()))
         throw Error(file + ": this is a run of another scene, or of another version of it",
                     "delete it, or choose another folder with -o");
     return reader.is_complete();

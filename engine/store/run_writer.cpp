@@ -1,5 +1,7 @@
 #include "engine/base/counted.hpp"
 #include "engine/base/error.hpp"
+#include "engine/base/hash_text.hpp"
+#include "engine/scene/same_run.hpp"
 #include "engine/store/hdf5_file.hpp"
 #include "engine/store/run_file.hpp"
 #include "engine/store/run_format.hpp"
@@ -160,7 +162,8 @@ std::string difference(const RunHeader& stored, const RunHeader& wanted) {
     };
     if (names(stored) != names(wanted))
         return fmt::format("the fields {}, got {}", names(wanted), names(stored));
-    if (stored.resolved_scene != wanted.resolved_scene) return "the same scene, got another one";
+    if (!scene::is_same_run(stored.resolved_scene, wanted.resolved_scene))
+        return "the same scene, got another one";
     return "";
 }
 

@@ -176,6 +176,16 @@ TEST_F(InterruptedRun, ThatIsFinishedSaysSoWhenItIsResumed) {
     EXPECT_EQ(other.code, 2) << other.err;
 }
 
+TEST_F(InterruptedRun, GoesOnWithOtherPictures) {
+    const Outcome stopped =
+        call({"run", "scene.toml", "-o", "o", "--quiet", "--time-limit", "1 ms"});
+    ASSERT_EQ(stopped.code, 3) << stopped.err;
+    const Outcome resumed = call({"run", "scene.toml", "-o", "o", "--quiet", "--resume", "--set",
+                                  "picture[0].size=[640,360]"});
+    EXPECT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_TRUE(RunFileReader(path("o/run.h5").string()).is_complete());
+}
+
 TEST_F(InterruptedRun, StopsAtItsTimeLimitWithACheckpointAndCode3) {
     const Outcome outcome =
         call({"run", "endless.toml", "-o", "o", "--quiet", "--time-limit", "0.2 s"});

@@ -211,6 +211,15 @@ TEST_F(Reproduce, GoesOnWhereAFolderCannotBeMade) {
     EXPECT_EQ(verdict(outcome, 0), "agrees") << "of the other setups: " << outcome.out;
 }
 
+TEST_F(Reproduce, KeepsARunOfTheSameSceneWithOtherPictures) {
+    ASSERT_EQ(reproduce("--quick").code, 0);
+    write_file("small.toml",
+               k_three_cells_scene + std::string("[[picture]]\nfield = \"sigma_h\"\n"));
+    const Outcome outcome = reproduce("--stored");
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(json_of(outcome)["claims"][0]["seeds"], 1) << outcome.out;
+}
+
 TEST_F(Reproduce, RefusesARunOfAnotherScene) {
     ASSERT_EQ(reproduce("--quick").code, 0);
     std::string changed = k_claims;

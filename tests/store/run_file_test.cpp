@@ -220,6 +220,9 @@ TEST_F(RunFile, OnlyTheSameRunCanBeContinued) {
     expect_frames(path_, 2);
 }
 
+    other = *header_;
+    other.resolved_scene += "[[picture]]\nfield = \"sigma_nn\"\n";
+    EXPECT_EQ(refusal(other, 2), "") << "what is drawn of a run is no part of it";
 TEST_F(RunFile, ARunOfAVersionWithOtherColumnsIsNotContinuedAndKeepsItsFrames) {
     {
         RunFileWriter writer = create(path_);
