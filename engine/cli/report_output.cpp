@@ -89,6 +89,4 @@ std::vector<std::string> draw_report_plot(const reports::DrawPlot& draw, const r
     return draw(plot, path);
 }
 
-std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
-
 }  // namespace spheroscope::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/hash_text.hpp"
 #include "engine/base/vec3.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/options.hpp"
@@ -39,8 +40,5 @@ void write_text_file(const std::string& path, const std::string& text);
 /// Draws the plot, or says why there is none. Returns the names of the files.
 [[nodiscard]] std::vector<std::string>
 draw_report_plot(const reports::DrawPlot& draw, const reports::Plot& plot, const std::string& path);
-
-/// "0123456789abcdef"
-[[nodiscard]] std::string hash_text(std::uint64_t hash);
 
 }  // namespace spheroscope::cli

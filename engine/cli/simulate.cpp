@@ -85,12 +85,13 @@ StartPoint point_to_resume(const RunPlace& place, const scene::Scene& scene) {
             throw Error(file + ": this is the finished run of another scene or seed",
                         "--overwrite replaces it, -o writes elsewhere");
         start.is_over = true;
+        return start;
     }
     if (has_checkpoint) {
         const LoadedCheckpoint loaded = read_newest_checkpoint(file);
         if (!loaded.note.empty()) log_warning(loaded.note);
         start.state = load_run_state(loaded.data);
-    } else if (!start.is_over) {
+    } else {
         log_info(fmt::format("{}: stopped before its first checkpoint; the run begins anew", file));
     }
     return start;
@@ -185,8 +186,7 @@ void estimate_mesh_error(const scene::Scene& scene, const EngineOptions& options
                         other.outcome, other.message));
 }
 
-SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene& scene,
-                                      const Engine& engine) {
+SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene& scene) {
     const RunFileReader reader(place.run_file());
     SimulationSummary summary;
     RunResult& result = summary.result;
@@ -196,7 +196,7 @@ SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene&
     result.wall_s = reader.end().wall_time_s;
     result.frames = reader.n_frames();
     result.errors = reader.end().errors;
-    result.state_hash = engine.state().state.hash();
+    summary.state_hash = reader.end().state_hash;
     take_from_file(reader, scene, summary);
     summary.code = exit_code(summary, ExitCode::ok);
     return summary;
@@ -254,7 +254,7 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     if (start.state) engine.resume(*start.state);
     if (start.is_over) {
         log_info(fmt::format("{}: this run is finished; nothing is left to do", place.run_file()));
-        return summary_of_finished(place, scene, engine);
+        return summary_of_finished(place, scene);
     }
     if (!start.continues_file) remove_checkpoints(place.run_file());
 
@@ -315,13 +315,16 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
         result.outcome = "stopped";
         result.message = *reason;
     }
+    summary.state_hash = result.state_hash;
     engine_options.changes = made;
     if (!store.has_failed()) {
         if (is_over(result.verdict) && scene.measures.time_error)
             measure_time_error(scene, engine_options, interrupts.stop(), result);
         if (is_over(result.verdict) && scene.measures.mesh_error)
             estimate_mesh_error(scene, engine_options, interrupts.stop(), result);
-        store.finish({is_over(result.verdict), result.outcome, result.wall_s, result.errors});
+        RunEnd end{is_over(result.verdict), result.outcome, result.wall_s, result.errors};
+        if (end.is_complete) end.state_hash = result.state_hash;
+        store.finish(end);
         const RunFileReader reader(place.run_file());
         write_xdmf(reader);
         if (!store.last())
@@ -354,7 +357,10 @@ std::string summary_text(const SimulationSummary& summary, const RunPlace& place
         text += fmt::format("expect {:<22} {} in [{:.6g}, {:.6g}] {}: {}\n", row.measure,
                             fmt::format("{:.6g}", row.value), row.min, row.max, row.unit,
                             row.met ? "met" : "NOT MET");
-    text += fmt::format("state hash           {:016x}\nwritten to           {}\n", r.state_hash,
+    text += fmt::format("state hash           {}\nwritten to           {}\n",
+                        summary.state_hash
+                            ? hash_text(*summary.state_hash)
+                            : std::string("not known: an earlier version wrote the file"),
                         place.run_file());
     return text;
 }
@@ -381,7 +387,8 @@ nlohmann::json summary_json(const SimulationSummary& summary, const RunPlace& pl
             {"work", work_json(r.work)},
             {"contact_arithmetic", summary.contact_arithmetic},
             {"expectations", expectations},
-            {"state_hash", fmt::format("{:016x}", r.state_hash)}};
+            {"state_hash", summary.state_hash ? nlohmann::json(hash_text(*summary.state_hash))
+                                              : nlohmann::json()}};
 }
 
 }  // namespace spheroscope::cli

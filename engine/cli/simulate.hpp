@@ -7,6 +7,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ struct SimulationSummary {
     RunResult result;
     std::vector<Expectation> expectations;
     std::string contact_arithmetic;  ///< RunHeader::contact_arithmetic; empty if nothing was run
+    std::optional<std::uint64_t> state_hash;  ///< none: the file of a finished run does not say it
     ExitCode code = ExitCode::ok;
 };
 

@@ -4,7 +4,9 @@
 #include "engine/run/error_estimate.hpp"
 #include "engine/run/snapshot.hpp"
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,8 @@ struct RunEnd {
         outcome;  ///< in words: "rest", "cap", "interrupted", ... ; "" while the run goes on
     double wall_time_s = 0.0;               ///< what the run took
     std::vector<MeasureError> errors = {};  ///< how wrong the measures of the end are; /accuracy
+    /// Of the state at the end of a complete run; none in files of versions that did not write it.
+    std::optional<std::uint64_t> state_hash = {};
 };
 
 /// Writes a run to an HDF5 file, one group per frame (engine/store/README.md). Whatever kills the

@@ -16,6 +16,7 @@ namespace spheroscope::run_format {
 
 /// Group of the error estimates: one group per measure in it.
 constexpr const char* k_accuracy = "/accuracy";
+constexpr const char* k_state_hash = "state_hash";  // attribute of the file, as text
 /// Group of the hull of an indentation.
 constexpr const char* k_hull = "/hull";
 

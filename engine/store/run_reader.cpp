@@ -1,5 +1,6 @@
 #include "engine/base/counted.hpp"
 #include "engine/base/error.hpp"
+#include "engine/base/hash_text.hpp"
 #include "engine/store/hdf5_file.hpp"
 #include "engine/store/run_file.hpp"
 #include "engine/store/run_format.hpp"
@@ -89,11 +90,23 @@ double read_column(const File& file, const run_format::Column& column, int frame
     return value;
 }
 
+std::optional<std::uint64_t> read_state_hash(const File& file) {
+    if (!file.has_attribute("/", run_format::k_state_hash)) return {};  // of an earlier version
+    const std::string text = file.text_attribute("/", run_format::k_state_hash);
+    if (text.empty()) return {};
+    const auto hash = hash_of_text(text);
+    if (!hash)
+        file.fail(fmt::format("wanted {} to be 16 hexadecimal digits, got '{}'",
+                              run_format::k_state_hash, text));
+    return hash;
+}
+
 RunEnd read_end(const File& file) {
     RunEnd end{file.int_attribute("/", "complete") != 0,
                file.text_attribute("/", "outcome"),
                file.double_attribute("/", "wall_time_s"),
-               {}};
+               {},
+               read_state_hash(file)};
     for (const std::string_view measure : estimated_measures()) {
         const std::string group = std::string(run_format::k_accuracy) + "/" + std::string(measure);
         if (!file.exists(run_format::k_accuracy) || !file.exists(group)) continue;

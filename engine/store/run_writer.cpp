@@ -23,6 +23,8 @@ void write_end(File& file, const RunEnd& end) {
     file.write_attribute("/", "complete", std::int64_t{end.is_complete ? 1 : 0});
     file.write_attribute("/", "outcome", end.outcome);
     file.write_attribute("/", "wall_time_s", end.wall_time_s);
+    file.write_attribute("/", run_format::k_state_hash,
+                         end.state_hash ? hash_text(*end.state_hash) : std::string());
     if (file.exists(run_format::k_accuracy)) file.remove(run_format::k_accuracy);
     if (end.errors.empty()) return;
     file.create_group(run_format::k_accuracy);

@@ -176,6 +176,41 @@ TEST_F(InterruptedRun, ThatIsFinishedSaysSoWhenItIsResumed) {
     EXPECT_EQ(other.code, 2) << other.err;
 }
 
+TEST_F(InterruptedRun, ThatIsFinishedNeedsNoCheckpoint) {
+    const Outcome whole = call({"run", "scene.toml", "-o", "o", "--quiet", "--json"});
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    const auto resume = [this] {
+        return call({"run", "scene.toml", "-o", "o", "--json", "--resume"});
+    };
+    const std::string nothing_left =
+        "info: o/run.h5: this run is finished; nothing is left to do\n";
+    for (const std::string& name : names_in("o"))
+        if (name.find("checkpoint") != std::string::npos) write_file("o/" + name, "damaged");
+    const Outcome damaged = resume();
+    EXPECT_EQ(damaged.code, 0);
+    EXPECT_EQ(damaged.err, nothing_left);
+    EXPECT_EQ(hash_of(damaged), hash_of(whole));
+    for (const std::string& name : names_in("o"))
+        if (name.find("checkpoint") != std::string::npos) fs::remove(path("o/" + name));
+    const Outcome gone = resume();
+    EXPECT_EQ(gone.err, nothing_left);
+    EXPECT_EQ(hash_of(gone), hash_of(whole));
+
+    // as an earlier version left it
+    const Outcome change = shell("/usr/bin/python3 -c 'import h5py' 2>/dev/null || exit 77; "
+                                 "/usr/bin/python3 -c '"
+                                 "import h5py\n"
+                                 "del h5py.File(\"o/run.h5\", \"r+\").attrs[\"state_hash\"]\n'");
+    if (change.code == 77) GTEST_SKIP() << "no h5py";
+    ASSERT_EQ(change.code, 0) << change.err;
+    const Outcome old = resume();
+    EXPECT_EQ(old.code, 0) << old.err;
+    EXPECT_TRUE(json_of(old).at("state_hash").is_null());
+    const Outcome in_words = call({"run", "scene.toml", "-o", "o", "--quiet", "--resume"});
+    EXPECT_NE(in_words.out.find("state hash           not known"), std::string::npos)
+        << in_words.out;
+}
+
 TEST_F(InterruptedRun, GoesOnWithOtherPictures) {
     const Outcome stopped =
         call({"run", "scene.toml", "-o", "o", "--quiet", "--time-limit", "1 ms"});

@@ -101,12 +101,14 @@ TEST_F(RunFile, OnlyAFinishedRunIsComplete) {
         write_frames(writer, 1);
         EXPECT_FALSE(RunFileReader(path_).is_complete());
         EXPECT_EQ(RunFileReader(path_).outcome(), "");
-        writer.finish({true, "rest", 12.5});
+        EXPECT_FALSE(RunFileReader(path_).end().state_hash);
+        writer.finish({true, "rest", 12.5, {}, 0xfedcba9876543210ULL});
     }
     const RunFileReader reader(path_);
     EXPECT_TRUE(reader.is_complete());
     EXPECT_EQ(reader.outcome(), "rest");
     EXPECT_EQ(reader.end().wall_time_s, 12.5);
+    EXPECT_EQ(reader.end().state_hash, 0xfedcba9876543210ULL);
 }
 
 TEST_F(RunFile, NothingButTheFileItselfIsLeftBehind) {
@@ -218,11 +220,11 @@ TEST_F(RunFile, OnlyTheSameRunCanBeContinued) {
     EXPECT_NE(refusal(other, 1).find("wanted the same scene"), std::string::npos);
     EXPECT_NE(refusal(*header_, 3).find("at least 3 frames to continue, got 2"), std::string::npos);
     expect_frames(path_, 2);
-}
-
     other = *header_;
     other.resolved_scene += "[[picture]]\nfield = \"sigma_nn\"\n";
     EXPECT_EQ(refusal(other, 2), "") << "what is drawn of a run is no part of it";
+}
+
 TEST_F(RunFile, ARunOfAVersionWithOtherColumnsIsNotContinuedAndKeepsItsFrames) {
     {
         RunFileWriter writer = create(path_);
