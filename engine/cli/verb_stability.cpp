@@ -203,7 +203,12 @@ ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& dra
 ExitCode stability(const StabilityArguments& arguments, const reports::DrawPlot& draw,
                    const Invocation& invocation) {
     if (arguments.common.quiet) make_log_quiet();
-    if (arguments.steps) return climb(arguments, draw, invocation);
+    if (arguments.steps) {
+        if (arguments.common.time_limit_s())
+            throw Error("--steps and --time-limit exclude each other",
+                        "a step that is not run to its end is neither held nor blown up");
+        return climb(arguments, draw, invocation);
+    }
     const std::vector<std::string> files =
         arguments.scenes.empty() ? scenes_of("stress") : arguments.scenes;
     const InterruptGuard interrupts;

@@ -119,6 +119,15 @@ TEST_F(StabilityVerb, StepsEndsWithFourWhereNoStepHoldsThatTheEstimateCouldBeCom
     EXPECT_TRUE(ladder["estimate_over_stable"].is_null());
 }
 
+TEST_F(StabilityVerb, StepsHaveNoTimeLimit) {
+    const Outcome outcome =
+        call({"stability", "scene.toml", "--steps", "--time-limit", "1 s", "--quiet"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err,
+              "error: --steps and --time-limit exclude each other\n"
+              "  hint: a step that is not run to its end is neither held nor blown up\n");
+}
+
 TEST_F(StabilityVerb, StepsFindsNodesThatBounce) {
     const Outcome outcome =
         call({"stability", SPHEROSCOPE_SOURCE_DIR "/scenes/bench/doublet_stiff.toml", "--steps",
