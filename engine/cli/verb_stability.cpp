@@ -137,12 +137,17 @@ ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& dra
                      {"met"},        {"trials"},     {"why"}};
     nlohmann::json ladders = nlohmann::json::array();
     std::vector<reports::StepLadder> climbed;
-    std::string not_met;
+    std::string not_met, interrupted;
     for (const std::string& file : files) {
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
         progress.update({file, unknown, unknown, unknown});
         const scene::Scene scene = scene::load_scene(file, arguments.common.overrides());
         for (const reports::StepLadder& ladder : reports::climb_steps(scene, options)) {
+            if (ladder.is_interrupted) {
+                interrupted += fmt::format("interrupted  {} {}: not in the table\n", ladder.scene,
+                                           ladder.method->name);
+                continue;
+            }
             const double ratio = ladder.estimate_over_stable();
             const bool is_met = reports::is_estimate_good(ladder);
             if (!std::isfinite(ratio))
@@ -191,10 +196,11 @@ ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& dra
         for (const std::string& file : draw_report_plot(draw, plot, path)) written.push_back(file);
     if (arguments.common.json) {
         print_json({{"ladders", ladders},
+                    {"complete", !interrupts.stop().load()},
                     {"machine", machine_json(arguments.common, invocation)},
                     {"files", written}});
     } else {
-        fmt::print("{}\n{}", table.aligned_text(), not_met);
+        fmt::print("{}\n{}{}", table.aligned_text(), not_met, interrupted);
         for (const std::string& file : written) fmt::print("written to {}\n", file);
     }
     return code_after_signal(not_met.empty() ? ExitCode::ok : ExitCode::differs);

@@ -44,11 +44,12 @@ class Climb {
     StepLadder climb() {
         find_estimate();
         const double wanted_s = k_fewest_steps * ladder_.estimate_s;
-        if (scene::Stage& last = scene_.stages.back(); last.duration_s < wanted_s) {
+        if (scene::Stage& last = scene_.stages.back();
+            !ladder_.is_interrupted && last.duration_s < wanted_s) {
             last.duration_s = last.every_s = wanted_s;
             find_estimate();  // contacts have grown in that time
         }
-        if (std::isnan(ladder_.estimate_s)) return std::move(ladder_);
+        if (ladder_.is_interrupted || std::isnan(ladder_.estimate_s)) return std::move(ladder_);
         scene_.method.stable_step = scene::StableStep::ignore;
         reference_ = run(0.25 * ladder_.estimate_s);
         if (!reference_.is_complete()) return std::move(ladder_);
@@ -57,7 +58,7 @@ class Climb {
             const double dt_s = ladder_.estimate_s * std::pow(2.0, 0.5 * k - 1.0);
             if (!note(dt_s)) break;
         }
-        for (int k = 0; k < options_.n_bisections; ++k) {
+        for (int k = 0; k < options_.n_bisections && !ladder_.is_interrupted; ++k) {
             if (std::isnan(ladder_.largest_stable_s) || std::isnan(ladder_.smallest_unstable_s))
                 break;
             note(std::sqrt(ladder_.largest_stable_s * ladder_.smallest_unstable_s));
@@ -68,7 +69,10 @@ class Climb {
   private:
     MeasuredRun run(double dt_s) {
         scene_.method.dt_s = dt_s;
-        return measure_run(scene_, {.threads = options_.threads, .stop = options_.stop});
+        MeasuredRun done =
+            measure_run(scene_, {.threads = options_.threads, .stop = options_.stop});
+        ladder_.is_interrupted = done.verdict == RunVerdict::stopped;
+        return done;
     }
 
     /// The estimate comes out of a run that holds, and that run needs a step: halve the scene's own
@@ -77,6 +81,7 @@ class Climb {
         double dt_s = scene_.method.dt_s;
         for (int k = 0; k < 12; ++k, dt_s *= 0.5) {
             const MeasuredRun done = run(dt_s);
+            if (ladder_.is_interrupted) return;
             if (!done.is_complete()) continue;
             if (done.fastest_rate_per_s > 0.0)
                 ladder_.estimate_s =
@@ -85,9 +90,10 @@ class Climb {
         }
     }
 
-    /// Tries a step and notes what came of it; true if it holds.
+    /// Tries a step and notes what came of it, unless it was stopped; true if it holds.
     bool note(double dt_s) {
         const MeasuredRun done = run(dt_s);
+        if (ladder_.is_interrupted) return false;
         StepTrial trial{dt_s, done.is_complete(), done.message, k_undefined};
         if (trial.is_stable) judge(done, trial);
         (trial.is_stable ? ladder_.largest_stable_s : ladder_.smallest_unstable_s) = dt_s;
@@ -130,9 +136,11 @@ bool is_estimate_good(const StepLadder& ladder) {
 
 std::vector<StepLadder> climb_steps(const scene::Scene& scene, const StepLadderOptions& options) {
     std::vector<StepLadder> ladders;
-    for (const MethodRow& method : all_methods())
-        if (!method.needs_stiffness && !method.adaptive())
-            ladders.push_back(Climb(scene, method, options).climb());
+    for (const MethodRow& method : all_methods()) {
+        if (method.needs_stiffness || method.adaptive()) continue;
+        ladders.push_back(Climb(scene, method, options).climb());
+        if (ladders.back().is_interrupted) break;
+    }
     return ladders;
 }
 

@@ -25,6 +25,8 @@ struct StepLadder {
     double largest_stable_s = 0.0;     ///< NaN: none was found
     double smallest_unstable_s = 0.0;  ///< NaN likewise
     double estimate_s = 0.0;  ///< that the program lets through, the least in the run; NaN: none
+    /// It was stopped before its last trial: what it has says nothing of steps not tried.
+    bool is_interrupted = false;
 
     /// NaN where either is missing.
     [[nodiscard]] double estimate_over_stable() const { return estimate_s / largest_stable_s; }
@@ -49,8 +51,8 @@ struct StepLadderOptions {
 /// fast as in a run with a quarter of the estimated step (nodes that bounce are several times as
 /// fast), and within half of its gamma_eff and 10 % of its contact area. Where nodes end is not
 /// asked: cells that creep come to other places with every step. A last stage shorter than 100
-/// estimated steps is made as long: bouncing needs time to grow. Throws Error as
-/// with_fixed_outputs.
+/// estimated steps is made as long: bouncing needs time to grow. Where it is stopped, the last
+/// ladder is an interrupted one. Throws Error as with_fixed_outputs.
 [[nodiscard]] std::vector<StepLadder> climb_steps(const scene::Scene& scene,
                                                   const StepLadderOptions& options);
 

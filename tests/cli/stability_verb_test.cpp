@@ -4,6 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
 namespace spheroscope {
 namespace {
 
@@ -117,6 +122,31 @@ TEST_F(StabilityVerb, StepsEndsWithFourWhereNoStepHoldsThatTheEstimateCouldBeCom
     const auto ladder = json_of(outcome)["ladders"][0];
     EXPECT_EQ(ladder["met"], false);
     EXPECT_TRUE(ladder["estimate_over_stable"].is_null());
+}
+
+/// Whether the process has a handler of SIGINT by now (proc(5), SigCgt).
+bool catches_sigint(pid_t process) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("SigCgt:"))
+            return (std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1) & 1U) != 0;
+    return false;
+}
+
+TEST_F(StabilityVerb, StepsThatAreInterruptedAreNotTakenForABlowUp) {
+    const pid_t process = start({"stability", "scene.toml", "--steps", "--quiet", "-o", "here",
+                                 "--set", "stage[0].duration=32768 s"});
+    for (int i = 0; i < 2000 && !catches_sigint(process); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    kill(process, SIGINT);
+    const Outcome outcome = wait_for(process);
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_EQ(outcome.out.find("NOT MET"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("\ninterrupted  "), std::string::npos) << outcome.out;
+    std::ifstream file(path("here/steps.csv"));
+    std::string last;
+    for (std::string line; std::getline(file, line);) last = line;
+    EXPECT_TRUE(last.starts_with("scene,method,")) << last;
 }
 
 TEST_F(StabilityVerb, StepsHaveNoTimeLimit) {

@@ -1,7 +1,9 @@
 #include "engine/reports/step_ladder.hpp"
+#include "tests/reports/stretched_cell.hpp"
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <limits>
 
 namespace spheroscope::reports {
@@ -26,6 +28,18 @@ TEST(StepLadder, AnEstimateWithoutAStepThatHoldsIsNotGood) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(is_good(1.0, none));
     EXPECT_FALSE(is_good(none, 1.0));
+}
+
+TEST(StepLadder, ThatIsStoppedHasNoTrialOfTheStepThatWasStopped) {
+    const scene::Scene scene =
+        scene::parse_scene(stretched_cell_text("0.032 s", "dt = \"4 ms\"\n"), "cell.toml");
+    const std::atomic<bool> stop{true};
+    const std::vector<StepLadder> ladders = climb_steps(scene, {.threads = 1, .stop = &stop});
+    ASSERT_EQ(ladders.size(), 1U) << "nothing is begun after a stop";
+    EXPECT_TRUE(ladders[0].is_interrupted);
+    EXPECT_TRUE(ladders[0].trials.empty());
+    for (const StepLadder& ladder : climb_steps(scene, {.threads = 1, .n_bisections = 0}))
+        EXPECT_FALSE(ladder.is_interrupted);
 }
 
 }  // namespace
