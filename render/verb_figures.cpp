@@ -117,7 +117,7 @@ std::vector<std::string> write_figure(figures::Figure& figure, const std::string
                                       const cli::Invocation& invocation) {
     std::vector<std::string> all_remarks = figure.missing;
     all_remarks.insert(all_remarks.end(), remarks.begin(), remarks.end());
-    std::vector<std::string> comments = cli::report_comments(arguments.common, invocation);
+    std::vector<std::string> comments = cli::report_comments(invocation, 0);
     comments.insert(comments.end(), figure.plot.caption.begin(), figure.plot.caption.end());
     comments.insert(comments.end(), all_remarks.begin(), all_remarks.end());
     cli::write_text_file(path + ".csv", figure.table.csv_text(comments));
@@ -226,8 +226,7 @@ ExitCode make_figures(const FiguresArguments& arguments, const cli::Invocation& 
         files.insert(files.end(), of_figure.begin(), of_figure.end());
     }
     const std::string numbers = folder + "/numbers.csv";
-    cli::write_text_file(
-        numbers, table_of(setups).csv_text(cli::report_comments(arguments.common, invocation)));
+    cli::write_text_file(numbers, table_of(setups).csv_text(cli::report_comments(invocation, 0)));
     files.push_back(numbers);
 
     if (arguments.common.json) {

@@ -46,20 +46,22 @@ void write_text_file(const std::string& path, const std::string& text) {
                 "is the disk full, or the folder protected?", ExitCode::environment);
 }
 
-std::vector<std::string> report_comments(const CommonOptions& options,
-                                         const Invocation& invocation) {
+std::vector<std::string> report_comments(const Invocation& invocation, int n_threads) {
     const reports::Machine machine = reports::this_machine();
-    return {"spheroscope " + invocation.version, "command: " + invocation.command_line,
-            fmt::format("machine: {}, {}, {} used", machine.processor,
-                        counted(machine.cores, "core"), counted(options.n_threads(), "thread"))};
+    std::string used;
+    if (n_threads > 0) used = fmt::format(", {} used", counted(n_threads, "thread"));
+    return {
+        "spheroscope " + invocation.version, "command: " + invocation.command_line,
+        fmt::format("machine: {}, {}{}", machine.processor, counted(machine.cores, "core"), used)};
 }
 
-nlohmann::json machine_json(const CommonOptions& options, const Invocation& invocation) {
+nlohmann::json machine_json(const Invocation& invocation, int n_threads) {
     const reports::Machine machine = reports::this_machine();
-    return {{"processor", machine.processor},
-            {"cores", machine.cores},
-            {"threads", options.n_threads()},
-            {"version", invocation.version}};
+    nlohmann::json document{{"processor", machine.processor},
+                            {"cores", machine.cores},
+                            {"version", invocation.version}};
+    if (n_threads > 0) document["threads"] = n_threads;
+    return document;
 }
 
 nlohmann::json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }

@@ -24,11 +24,10 @@ void make_folder(const std::string& folder);
 /// Throws Error (environment) when the text cannot be written.
 void write_text_file(const std::string& path, const std::string& text);
 
-/// Under which circumstances numbers were made: version, processor, threads, command.
-[[nodiscard]] std::vector<std::string> report_comments(const CommonOptions& options,
-                                                       const Invocation& invocation);
-[[nodiscard]] nlohmann::json machine_json(const CommonOptions& options,
-                                          const Invocation& invocation);
+/// Under which circumstances numbers were made: version, command, processor, and the threads, if
+/// all numbers were made by as many (n_threads; 0: each says it itself, or none was used).
+[[nodiscard]] std::vector<std::string> report_comments(const Invocation& invocation, int n_threads);
+[[nodiscard]] nlohmann::json machine_json(const Invocation& invocation, int n_threads);
 
 /// null where a number is missing or not finite: JSON has no word for it.
 [[nodiscard]] nlohmann::json number_or_null(double value);

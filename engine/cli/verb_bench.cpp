@@ -196,14 +196,12 @@ ExitCode bench(const BenchArguments& arguments, const Invocation& invocation) {
     progress.clear();
 
     const reports::ReportTable table = table_of(rows);
-    nlohmann::json document{{"rows", nlohmann::json::array()},
-                            {"machine", machine_json(arguments.common, invocation)},
-                            {"command", invocation.command_line},
-                            {"simd", simd_target()},
-                            {"precision", arguments.precision},
-                            {"complete", is_complete}};
+    nlohmann::json document{
+        {"rows", nlohmann::json::array()},    {"machine", machine_json(invocation, 0)},
+        {"command", invocation.command_line}, {"simd", simd_target()},
+        {"precision", arguments.precision},   {"complete", is_complete}};
     for (const reports::BenchRow& row : rows) document["rows"].push_back(json_of(row));
-    std::vector<std::string> comments = report_comments(arguments.common, invocation);
+    std::vector<std::string> comments = report_comments(invocation, 0);
     comments.push_back(fmt::format("contact kernel: {}, {}", arguments.precision, simd_target()));
     write_text_file(folder + "/bench.csv", table.csv_text(comments));
     write_text_file(folder + "/bench.json", document.dump(1) + "\n");

@@ -31,12 +31,13 @@ struct PrecisionArguments {
 void give_out(const std::string& path, const reports::ReportTable& table, const std::string& notes,
               nlohmann::json document, const reports::DrawPlot& draw, const reports::Plot& plot,
               const PrecisionArguments& arguments, const Invocation& invocation) {
-    write_text_file(path + ".csv", table.csv_text(report_comments(arguments.common, invocation)));
+    write_text_file(path + ".csv",
+                    table.csv_text(report_comments(invocation, arguments.common.n_threads())));
     std::vector<std::string> files{path + ".csv"};
     for (const std::string& file : draw_report_plot(draw, plot, path)) files.push_back(file);
     if (arguments.common.json) {
         document["scene"] = arguments.scene;
-        document["machine"] = machine_json(arguments.common, invocation);
+        document["machine"] = machine_json(invocation, arguments.common.n_threads());
         document["files"] = files;
         print_json(document);
         return;

@@ -58,7 +58,7 @@ ExitCode pull_off(const PullOffArguments& arguments, const reports::DrawPlot& dr
         reports::measure_pull_off(arguments.scene, arguments.common.overrides(), options);
     progress.clear();
     const reports::ReportTable table = table_of(rows);
-    std::vector<std::string> comments = report_comments(arguments.common, invocation);
+    std::vector<std::string> comments = report_comments(invocation, arguments.common.n_threads());
     comments.push_back(fmt::format("force grows by {} nN/s", options.rate_nN_per_s));
     write_text_file(folder + "/pull_off.csv", table.csv_text(comments));
     std::vector<std::string> files{folder + "/pull_off.csv"};

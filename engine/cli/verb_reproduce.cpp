@@ -246,7 +246,7 @@ std::vector<std::string>
 write_files(const std::string& folder, const std::vector<JudgedClaim>& judged,
             const MeasuredSetups& measured, const std::vector<std::string>& remarks,
             const ReproduceArguments& arguments, const Invocation& invocation) {
-    std::vector<std::string> comments = report_comments(arguments.common, invocation);
+    std::vector<std::string> comments = report_comments(invocation, arguments.common.n_threads());
     comments.insert(comments.end(), remarks.begin(), remarks.end());
     std::string list;
     for (const std::string& comment : comments) list += "* " + comment + "\n";

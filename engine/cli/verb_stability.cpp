@@ -189,7 +189,8 @@ ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& dra
     }
     progress.clear();
     const std::string path = report_folder(arguments.common, "out/stability") + "/steps";
-    write_text_file(path + ".csv", table.csv_text(report_comments(arguments.common, invocation)));
+    write_text_file(path + ".csv",
+                    table.csv_text(report_comments(invocation, arguments.common.n_threads())));
     std::vector<std::string> written{path + ".csv"};
     const reports::Plot plot = reports::step_ladder_plot(climbed);
     if (!plot.panels.empty())
@@ -197,7 +198,7 @@ ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& dra
     if (arguments.common.json) {
         print_json({{"ladders", ladders},
                     {"complete", !interrupts.stop().load()},
-                    {"machine", machine_json(arguments.common, invocation)},
+                    {"machine", machine_json(invocation, arguments.common.n_threads())},
                     {"files", written}});
     } else {
         fmt::print("{}\n{}{}", table.aligned_text(), not_met, interrupted);
@@ -234,7 +235,8 @@ ExitCode stability(const StabilityArguments& arguments, const reports::DrawPlot&
     const std::string folder = report_folder(arguments.common, "out/stability");
     const std::string path = folder + "/stability";
     const reports::ReportTable table = table_of(rows);
-    write_text_file(path + ".csv", table.csv_text(report_comments(arguments.common, invocation)));
+    write_text_file(path + ".csv",
+                    table.csv_text(report_comments(invocation, arguments.common.n_threads())));
     std::vector<std::string> written{path + ".csv"};
     const reports::Plot plot = reports::stability_plot(rows);
     if (!plot.panels.empty())
@@ -242,7 +244,7 @@ ExitCode stability(const StabilityArguments& arguments, const reports::DrawPlot&
 
     if (arguments.common.json) {
         print_json({{"runs", json_of(rows)},
-                    {"machine", machine_json(arguments.common, invocation)},
+                    {"machine", machine_json(invocation, arguments.common.n_threads())},
                     {"files", written}});
     } else {
         fmt::print("{}\n{}", table.aligned_text(), notes_of(rows));

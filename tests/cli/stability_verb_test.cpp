@@ -28,6 +28,13 @@ set = ["cortex.elastic.E=-1", "stability.all.outcome=stops", "stability.all.name
 class StabilityVerb : public EngineRunner {
   protected:
     StabilityVerb() { write_file("scene.toml", k_scene); }
+    /// The comment of a report that says where it was made.
+    [[nodiscard]] std::string machine_of(const std::string& csv) const {
+        std::ifstream file(path(csv));
+        for (std::string line; std::getline(file, line);)
+            if (line.starts_with("# machine: ")) return line;
+        return "";
+    }
     [[nodiscard]] Outcome judge(const std::string& scene) const {
         write_file("scene.toml", scene);
         return call({"stability", "scene.toml", "--json", "--quiet"});
@@ -47,6 +54,15 @@ TEST_F(StabilityVerb, GivesOneObjectForEachSceneAndMethodWithWhatScriptsRelyOn) 
         if (run["outcome"] == "refused") ++n_refused;
     }
     EXPECT_EQ(2 * n_refused, static_cast<int>(document["runs"].size()));
+}
+
+TEST_F(StabilityVerb, SaysHowManyThreadsWereUsed) {
+    const Outcome outcome =
+        call({"stability", "scene.toml", "--json", "--quiet", "-o", "here", "--threads", "1"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(machine_of("here/stability.csv").ends_with(", 1 thread used"))
+        << machine_of("here/stability.csv");
+    EXPECT_EQ(json_of(outcome)["machine"]["threads"], 1);
 }
 
 TEST_F(StabilityVerb, EndsWithFourWhenAMeasureIsNotAsExpected) {
@@ -194,6 +210,9 @@ TEST_F(StabilityVerb, BenchGivesTimesTogetherWithErrorsAndHashes) {
         for (const char* key : {"method", "time", "step_error_um", "hash"})
             EXPECT_TRUE(step.contains(key)) << key;
     EXPECT_EQ(names_in("here"), (std::vector<std::string>{"bench.csv", "bench.json"}));
+    EXPECT_EQ(machine_of("here/bench.csv").find("used"), std::string::npos)
+        << "each row has its own threads: " << machine_of("here/bench.csv");
+    EXPECT_FALSE(document["machine"].contains("threads"));
 }
 
 TEST_F(StabilityVerb, BenchTimesTheKernelThatWasAskedForAndNamesIt) {
