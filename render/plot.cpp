@@ -3,6 +3,7 @@
 #include "render/plot.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/base/whole_file.hpp"
 #include "engine/base/xml_text.hpp"
 #include "render/osmesa_context.hpp"
 #include "render/plot_area.hpp"
@@ -146,7 +147,8 @@ std::string with_escaped_texts(std::string_view svg) {
 }
 
 void write_svg(vtkRenderWindow* window, vtkRenderer* renderer, const std::filesystem::path& path) {
-    const std::filesystem::path unfinished = path.string() + ".part";
+    WholeFile whole(path);
+    const std::filesystem::path& unfinished = whole.working_path();
     vtkNew<vtkGL2PSExporter> exporter;
     exporter->SetRenderWindow(window);
     exporter->SetActiveRenderer(renderer);
@@ -170,14 +172,11 @@ void write_svg(vtkRenderWindow* window, vtkRenderer* renderer, const std::filesy
     escaped.close();
     // What the exporter could not write ends without this.
     const bool is_whole = svg.find("</svg>") != svg.npos && !escaped.fail();
-    if (is_whole) std::filesystem::rename(unfinished, path, failed);
-    if (!is_whole || failed) {
-        std::error_code ignored;
-        std::filesystem::remove(unfinished, ignored);
+    if (is_whole) failed = whole.publish();
+    if (!is_whole || failed)
         throw Error(path.string() + ": the plot could not be written" +
                         (failed ? " (" + failed.message() + ")" : ""),
                     "is the disk full, or the folder protected?", ExitCode::environment);
-    }
 }
 
 Image image_of(const Buffers& buffers) {

@@ -1,6 +1,7 @@
 #include "render/png.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/base/whole_file.hpp"
 
 #include <png.h>
 
@@ -137,15 +138,9 @@ Error damaged(const std::filesystem::path& path, const std::string& why) {
 }  // namespace
 
 void write_png(const std::filesystem::path& path, const Image& image, const PngTexts& texts) {
-    std::filesystem::path temporary = path;
-    temporary += ".partial";
+    WholeFile whole(path);
     const std::string what = "the picture " + path.string() + " cannot be written: ";
-    const auto clean_up = [&] {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-    };
     const auto fail = [&](int error) {
-        clean_up();
         const std::string why = std::generic_category().message(error);
         // A path that cannot be is the caller's; everything else is the file system's.
         if (error == ENOENT || error == ENOTDIR || error == EISDIR || error == ENOTEMPTY)
@@ -168,21 +163,18 @@ void write_png(const std::filesystem::path& path, const Image& image, const PngT
         png_texts.push_back(entry);
     }
 
-    File file(std::fopen(temporary.c_str(), "wb"));
+    File file(std::fopen(whole.working_path().c_str(), "wb"));
     if (!file) throw fail(errno);
     PngOutput output;
     errno = 0;
     if (!output.write(file.get(), pixels, png_texts, rows)) {
         if (std::ferror(file.get()) != 0) throw fail(errno != 0 ? errno : EIO);
-        clean_up();
         throw Error(what + output.message());
     }
     // Data can still be lost between our buffer and the disk (a full disk shows here).
     if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0) throw fail(errno);
     file.reset();
-    std::error_code error;
-    std::filesystem::rename(temporary, path, error);
-    if (error) throw fail(error.value());
+    if (const std::error_code error = whole.publish()) throw fail(error.value());
 }
 
 PngFile read_png(const std::filesystem::path& path) {

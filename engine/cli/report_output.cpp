@@ -1,6 +1,7 @@
 #include "engine/cli/report_output.hpp"
 
 #include "engine/base/counted.hpp"
+#include "engine/base/whole_file.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/log.hpp"
 #include "engine/reports/machine.hpp"
@@ -31,17 +32,11 @@ std::string report_folder(const CommonOptions& options, const std::string& stand
 }
 
 void write_text_file(const std::string& path, const std::string& text) {
-    // Complete or absent: under its own name only when all of it is there. A device has no other.
-    const bool is_device = std::filesystem::exists(path) && !std::filesystem::is_regular_file(path);
-    const std::string working_path = is_device ? path : path + ".part";
-    std::ofstream file(working_path, std::ios::binary);
+    WholeFile whole(path);
+    std::ofstream file(whole.working_path(), std::ios::binary);
     file << text;
     file.close();
-    std::error_code failed;
-    if (file && !is_device) std::filesystem::rename(working_path, path, failed);
-    if (file && !failed) return;
-    std::error_code ignored;
-    if (!is_device) std::filesystem::remove(working_path, ignored);
+    if (file && !whole.publish()) return;
     throw Error(path + ": the report could not be written",
                 "is the disk full, or the folder protected?", ExitCode::environment);
 }

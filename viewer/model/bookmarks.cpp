@@ -1,6 +1,7 @@
 #include "viewer/model/bookmarks.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/base/whole_file.hpp"
 #include "engine/scene/picture_fields.hpp"
 
 #include <nlohmann/json.hpp>
@@ -57,13 +58,11 @@ std::vector<Bookmark> read_bookmarks(const std::string& path) {
 void write_bookmarks(const std::string& path, const std::vector<Bookmark>& bookmarks) {
     nlohmann::json items = nlohmann::json::array();
     for (const Bookmark& bookmark : bookmarks) items.push_back(json_of(bookmark));
-    const std::string partial = path + ".partial";
-    std::ofstream file(partial);
+    WholeFile whole(path);
+    std::ofstream file(whole.working_path());
     file << nlohmann::json{{"bookmarks", items}}.dump(1) << "\n";
     file.close();
-    std::error_code failed;
-    if (file) std::filesystem::rename(partial, path, failed);
-    if (!file || failed)
+    if (!file || whole.publish())
         throw Error(Loc{path, 0, 0}, "the bookmarks cannot be written", "is the folder writable?",
                     ExitCode::environment);
 }
