@@ -1,5 +1,6 @@
 #include "engine/cli/options.hpp"
 
+#include "engine/cli/seeds.hpp"
 #include "engine/contact/simd_target.hpp"
 #include "engine/scene/units.hpp"
 
@@ -21,15 +22,6 @@ std::string problem_of_target(const std::string& name) {
     if (std::find(targets.begin(), targets.end(), name) != targets.end()) return "";
     return fmt::format("wanted one of {}, which this machine has, got '{}'",
                        fmt::join(targets, ", "), name);
-}
-
-std::string problem_of_seed(const std::string& text) {
-    constexpr std::size_t most_digits = 18;  // below 2^63, as numbers of a scene are
-    const bool digits = !text.empty() && text.size() <= most_digits &&
-                        text.find_first_not_of("0123456789") == std::string::npos;
-    return digits ? ""
-                  : fmt::format("wanted a whole number of at most {} digits, got '{}'", most_digits,
-                                text);
 }
 
 void add_common_option(CommandLine& command, CommonOptions& options, CommonOption wanted) {
