@@ -9,12 +9,12 @@
 namespace spheroscope::reports {
 namespace {
 
-/// The allocators of the sanitizers do not say what they gave out.
-bool counts_memory() {
-    const double before_MB = allocated_MB();
-    const std::vector<char> megabytes(4'000'000, 'x');
-    return allocated_MB() - before_MB > 1e-6 * static_cast<double>(megabytes.size()) / 2;
-}
+// The allocators of the sanitizers do not say what they gave out.
+#ifdef SPHEROSCOPE_SANITIZER_ALLOCATES
+constexpr bool k_counts_memory = false;
+#else
+constexpr bool k_counts_memory = true;
+#endif
 
 double memory_MB(int cells, int nodes) {
     return run_bench({.cells = cells, .nodes = nodes, .threads = 1}, {.repetitions = {.most = 1}})
@@ -23,7 +23,7 @@ double memory_MB(int cells, int nodes) {
 }
 
 TEST(EngineBench, MemoryOfASizeDoesNotDependOnTheSizesBeforeIt) {
-    if (!counts_memory()) GTEST_SKIP();
+    if (!k_counts_memory) GTEST_SKIP() << "a sanitizer allocates";
     static_cast<void>(memory_MB(2, 42));  // what is made once in a process
     const double first_MB = memory_MB(13, 42);
     EXPECT_GT(first_MB, 0.1);
@@ -33,7 +33,7 @@ TEST(EngineBench, MemoryOfASizeDoesNotDependOnTheSizesBeforeIt) {
 }
 
 TEST(EngineBench, MemoryGrowsAsTheCellsDo) {
-    if (!counts_memory()) GTEST_SKIP();
+    if (!k_counts_memory) GTEST_SKIP() << "a sanitizer allocates";
     const double few_MB = memory_MB(13, 42), many_MB = memory_MB(52, 42);
     EXPECT_GT(many_MB, 3.0 * few_MB);
     EXPECT_LT(many_MB, 6.0 * few_MB) << "of 52 cells more are inside, with twelve neighbours";
@@ -64,11 +64,14 @@ TEST(EngineBench, StatesDoNotDependOnHowOftenAStepIsTimed) {
 
 TEST(EngineBench, NoRepetitionIsFree) {
     const BenchRow row =
-        run_bench({.cells = 13, .nodes = 162, .threads = 1}, {.repetitions = {.most = 3}}).value();
+        run_bench({.cells = 13, .nodes = 162, .threads = 1}, {.repetitions = {.most = 9}}).value();
     double terms_ms = 0.0;
     for (const BenchTerm& term : row.terms) terms_ms += term.time.cpu_ms;
+    // Forces take twice as long as their terms without contacts, and hardly anything if they were
+    // taken from the repetition before; with the stiffness three times as long, and as long if it
+    // was. The bounds leave room for what else the machine does.
     EXPECT_GT(row.force.cpu_ms, 0.5 * terms_ms);
-    EXPECT_GT(row.stiffness.cpu_ms, row.force.cpu_ms);
+    EXPECT_GT(row.stiffness.cpu_ms, 1.5 * row.force.cpu_ms);
 }
 
 TEST(EngineBench, AStopLeavesNoHalfRow) {
