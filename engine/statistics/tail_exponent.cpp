@@ -1,5 +1,6 @@
 #include "engine/statistics/tail_exponent.hpp"
 
+#include "engine/base/counted.hpp"
 #include "engine/base/random.hpp"
 
 #include <fmt/format.h>
@@ -135,6 +136,12 @@ void add_bootstrap(std::span<const double> f, TailScale scale, std::uint64_t see
 }
 
 }  // namespace
+
+std::string TailFit::gap() const {
+    if (!exists() || !std::isnan(beta_error)) return reason;
+    return fmt::format("no error, {} of {} have no fit", n_failed_samples,
+                       counted(n_samples, "bootstrap sample"));
+}
 
 TailFit fit_tail(std::span<const double> f, TailScale scale, std::uint64_t seed, int n_samples) {
     TailFit fit;

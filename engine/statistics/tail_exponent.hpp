@@ -19,6 +19,8 @@ struct TailFit {
     int n_failed_samples = 0;  ///< of those, without a fit
     std::string reason = {};   ///< why there is no fit; then the numbers mean nothing
     [[nodiscard]] bool exists() const { return reason.empty(); }
+    /// Why there is no fit, or none of its error; "" if there are both.
+    [[nodiscard]] std::string gap() const;
 };
 
 enum class TailScale {

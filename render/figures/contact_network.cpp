@@ -132,9 +132,8 @@ Figure contact_network(Setups setups) {
                          fit.exists() ? fit.beta_error : k_undefined,
                          static_cast<int>(setup.runs.size())},
                         k_undefined, fit.n_forces);
-                if (!fit.exists())
-                    figure.missing.push_back(
-                        fmt::format("{}, {}: {}", setup.label, name, fit.reason));
+                if (const std::string gap = fit.gap(); !gap.empty())
+                    figure.missing.push_back(fmt::format("{}, {}: {}", setup.label, name, gap));
                 if (norm == statistics::ForceNorm::all && scale == TailScale::one)
                     fits.push_back(fit);
             }

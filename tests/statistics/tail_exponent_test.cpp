@@ -84,6 +84,7 @@ TEST(TailFit, ThatEndsAtABoundOfBetaIsNone) {
     const TailFit low = fit_tail(flat, TailScale::one);
     EXPECT_FALSE(low.exists());
     EXPECT_EQ(low.reason, "beta ends at its bound, 0.1");
+    EXPECT_EQ(low.gap(), low.reason);
     // Nearly all in the first bin above 1: none is large enough.
     std::vector<double> steep(300, 0.3);
     steep.resize(2000, 1.05);
@@ -102,6 +103,8 @@ TEST(TailFit, HasNoErrorWhereManySamplesHaveNoFit) {
     EXPECT_EQ(fit.n_samples, 200);
     EXPECT_GT(fit.n_failed_samples, 40);
     EXPECT_TRUE(std::isnan(fit.beta_error));
+    EXPECT_EQ(fit.gap(), "no error, " + std::to_string(fit.n_failed_samples) +
+                             " of 200 bootstrap samples have no fit");
     EXPECT_EQ(fit_tail(exponential_forces(4000, 1), TailScale::one, 1, 20).n_failed_samples, 0);
 }
 
