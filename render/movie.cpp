@@ -1,6 +1,7 @@
 #include "render/movie.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/base/folder_lock.hpp"
 #include "engine/measures/totals.hpp"
 #include "render/movie_frames.hpp"
 #include "render/movie_writer.hpp"
@@ -232,9 +233,14 @@ void make_folder(const fs::path& folder) {
     if (error) throw Error("the folder " + folder.string() + " cannot be made: " + error.message());
 }
 
-void make_folders(const MovieSettings& settings) {
+/// Makes the folders of a movie, and keeps other jobs out of the one that it gets.
+FolderLock lock_folders(const MovieSettings& settings) {
+    const fs::path folder =
+        settings.movie_path.has_parent_path() ? settings.movie_path.parent_path() : fs::path(".");
+    make_folder(folder);
+    FolderLock lock(folder);
     if (settings.keeps_pictures) make_folder(settings.frames_folder);
-    if (settings.movie_path.has_parent_path()) make_folder(settings.movie_path.parent_path());
+    return lock;
 }
 
 MoviePainter::Shown shown_in(const MovieFrame& wanted, const Survey& survey,
@@ -270,7 +276,7 @@ MovieResult make_movie_of(std::span<FrameSource* const> runs, const MovieSetting
     result.share_outside =
         picture.range == "frame" ? 2.0 * RangeFinder::k_share_beyond : surveys[0].share_outside;
 
-    make_folders(settings);
+    const FolderLock lock = lock_folders(settings);
     if (settings.keeps_pictures) remove_left_overs(settings.frames_folder, result.n_frames);
 
     // Renderers are made when the first picture has to be drawn: a movie that is only put together

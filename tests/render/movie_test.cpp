@@ -1,3 +1,4 @@
+#include "engine/base/folder_lock.hpp"
 #include "render/layers/plot_strip.hpp"
 #include "render/movie.hpp"
 #include "render/movie_writer.hpp"
@@ -420,6 +421,24 @@ TEST(Movie, ThePlotBelowItHasAGapWhereBeadsArePacked) {
     picture.plot = "sigma_h_core";
     const Survey survey = survey_frames(run, picture);
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(std::isnan(survey.plotted[i]), i == 1) << i;
+}
+
+TEST(Movie, IsNotMadeWhereAnotherJobMakesOne) {
+    const TemporaryFolder folder;
+    DriftingPair frames(2);
+    const MovieSettings settings = settings_in(folder.path());
+    {
+        const FolderLock other(settings.movie_path.parent_path());
+        try {
+            make_movie(frames, settings);
+            FAIL();
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("another program is writing into"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
+    EXPECT_EQ(make_movie(frames, settings).n_frames, 2) << "the lock ends with its owner";
 }
 
 TEST(Movie, ItsShotsFreezeTurnAndCut) {
