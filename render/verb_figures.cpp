@@ -113,7 +113,6 @@ void add_to_caption(reports::Plot& plot, const std::vector<std::string>& remarks
 /// CSV, PNG and SVG of one figure; returns their names.
 std::vector<std::string> write_figure(figures::Figure& figure, const std::string& path,
                                       const std::vector<std::string>& remarks,
-                                      const FiguresArguments& arguments,
                                       const cli::Invocation& invocation) {
     std::vector<std::string> all_remarks = figure.missing;
     all_remarks.insert(all_remarks.end(), remarks.begin(), remarks.end());
@@ -218,7 +217,7 @@ ExitCode make_figures(const FiguresArguments& arguments, const cli::Invocation& 
             for (const std::string& reason : figure.missing)
                 cli::log_warning(fmt::format("{} is not drawn: {}", name, reason));
         else
-            of_figure = write_figure(figure, folder + "/" + name, remarks, arguments, invocation);
+            of_figure = write_figure(figure, folder + "/" + name, remarks, invocation);
         drawn.push_back({{"name", name},
                          {"title", row->title},
                          {"files", of_figure},

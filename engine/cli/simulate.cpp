@@ -97,15 +97,27 @@ StartPoint point_to_resume(const RunPlace& place, const scene::Scene& scene) {
     return start;
 }
 
+/// Whether the file is what the run would make again, byte for byte but for its times: a job that
+/// is started twice does not throw away what the first one has made. Precondition: nothing that
+/// check_nothing_is_lost refuses.
+bool holds_this_run(const RunPlace& place, const RunHeader& wanted) {
+    if (!fs::exists(place.run_file())) return false;
+    const RunFileReader reader(place.run_file());
+    const RunHeader& stored = *reader.header();
+    return stored.version == wanted.version && stored.resolved_scene == wanted.resolved_scene &&
+           stored.contact_arithmetic == wanted.contact_arithmetic;
+}
+
 /// Throws if the run cannot begin there, or something would be lost.
-StartPoint start_point(const RunPlace& place, const scene::Scene& scene,
+StartPoint start_point(const RunPlace& place, const scene::Scene& scene, const RunHeader& wanted,
                        const std::vector<Change>& changes, bool resume, bool overwrite) {
     if (resume && overwrite)
         throw Error("--resume and --overwrite exclude each other",
                     "--resume goes on with what is there, --overwrite begins anew");
     if (resume) return point_to_resume(place, scene);
-    if (!overwrite) check_nothing_is_lost(place, scene, changes);
-    return {};
+    if (overwrite) return {};
+    check_nothing_is_lost(place, scene, changes);
+    return {.state = {}, .is_over = holds_this_run(place, wanted)};
 }
 
 bool is_over(RunVerdict verdict) {
@@ -250,10 +262,13 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     Engine engine(scene, engine_options, given_cells(scene));
 
     make_folder(place.folder);
-    const StartPoint start = start_point(place, scene, changes, options.resume, overwrite);
+    const StartPoint start =
+        start_point(place, scene, *engine.header(), changes, options.resume, overwrite);
     if (start.state) engine.resume(*start.state);
     if (start.is_over) {
-        log_info(fmt::format("{}: this run is finished; nothing is left to do", place.run_file()));
+        log_info(fmt::format("{}: this run is finished; nothing is left to do (--overwrite makes "
+                             "it again)",
+                             place.run_file()));
         return summary_of_finished(place, scene);
     }
     if (!start.continues_file) remove_checkpoints(place.run_file());

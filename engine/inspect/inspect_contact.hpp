@@ -16,7 +16,7 @@ namespace spheroscope::inspect {
 [[nodiscard]] ContactSummary summarize(const FrameSystem& frame, const ContactKey& key);
 
 /// The contact, taken apart. Throws Error with the nearest contacts when there is none in this
-/// frame (that search needs a FrameSystem of all cells), or no such cell.
+/// frame, or no such cell.
 [[nodiscard]] ContactReport inspect_contact(const FrameSystem& frame, const ContactKey& key);
 
 /// Contacts of a frame near to where the one of `key` would be, nearest first: by the distance of

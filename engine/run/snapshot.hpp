@@ -37,7 +37,7 @@ struct ContactLink {
     float area_um2;  ///< clip area, one-sided
 };
 
-/// How the engine got from the frame before to this one.
+/// How the engine got to this frame.
 struct Diagnostics {
     std::int64_t steps = 0;  ///< accepted since the start of the run
     std::int64_t rejected_steps = 0;

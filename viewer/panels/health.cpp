@@ -1,6 +1,6 @@
 // The health strip: a number of the frame on show for each row, and a red mark on the row's line
 // for each frame where it was beyond its limit. A click on a mark goes to that frame, and picks the
-// cell that is to blame if the row knows it.
+// contact that is to blame, where the row is about contacts.
 
 #include "viewer/panels/panel.hpp"
 
