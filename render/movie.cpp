@@ -2,6 +2,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/folder_lock.hpp"
+#include "engine/base/make_folder.hpp"
 #include "engine/measures/totals.hpp"
 #include "render/movie_frames.hpp"
 #include "render/movie_writer.hpp"
@@ -225,12 +226,6 @@ MovieWriter::Settings writer_settings(const MovieSettings& settings, const Surve
     result.chapters = chapters(survey, pictures);
     result.n_pictures = static_cast<int>(pictures.size());
     return result;
-}
-
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw Error("the folder " + folder.string() + " cannot be made: " + error.message());
 }
 
 /// Makes the folders of a movie, and keeps other jobs out of the one that it gets.

@@ -41,7 +41,8 @@ std::string accuracy_text(const std::vector<MeasureError>& errors) {
         return !std::isnan(e.time) && !e.time_is_measured;
     });
     if (is_rough)
-        text += "  ~: a guess from the last step alone; measures.time_error = true measures it\n";
+        text += "  ~: a guess from the last step alone, often ten times too small; "
+                "measures.time_error = true measures it\n";
     if (worst != nullptr)
         text += fmt::format("  largest: {}; {}\n", worst->measure, worst->advice());
     return text;

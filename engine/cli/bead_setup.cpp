@@ -1,6 +1,7 @@
 #include "engine/cli/bead_setup.hpp"
 
 #include "engine/base/counted.hpp"
+#include "engine/base/make_folder.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/log.hpp"
 #include "engine/cli/report_output.hpp"

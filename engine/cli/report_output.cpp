@@ -1,6 +1,7 @@
 #include "engine/cli/report_output.hpp"
 
 #include "engine/base/counted.hpp"
+#include "engine/base/make_folder.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/log.hpp"
@@ -16,14 +17,6 @@
 #include <system_error>
 
 namespace spheroscope::cli {
-
-void make_folder(const std::string& folder) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed)
-        throw Error(folder + ": cannot make this folder (" + failed.message() + ")",
-                    "choose another one with -o");
-}
 
 std::string report_folder(const CommonOptions& options, const std::string& standard) {
     const std::string folder = options.output.empty() ? standard : options.output;

@@ -15,9 +15,6 @@
 // What the verbs that print reports have in common.
 namespace spheroscope::cli {
 
-/// Makes the folder that -o names or stands for. Throws Error when it cannot be made.
-void make_folder(const std::string& folder);
-
 /// Where a report goes: what -o says, or the standard. The folder is made.
 [[nodiscard]] std::string report_folder(const CommonOptions& options, const std::string& standard);
 

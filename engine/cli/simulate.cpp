@@ -1,5 +1,6 @@
 #include "engine/cli/simulate.hpp"
 
+#include "engine/base/make_folder.hpp"
 #include "engine/cli/accuracy_text.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/log.hpp"

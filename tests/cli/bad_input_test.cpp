@@ -203,6 +203,13 @@ TEST_F(BadInput, InWhatIsChangedOfARepeatedRunNamesTheSceneInItsFile) {
     expect_refused({"run", "o/run.h5", "--resume"}, "to go on with this run, give its scene");
 }
 
+TEST_F(BadInput, OfAFolderThatCannotBeMadeIsOfTheDiskUnlessAFileHasItsName) {
+    write_file("scene.toml", all_stages_scene());
+    const Outcome outcome = call({"run", "scene.toml", "-o", "/proc/no/folder"});
+    EXPECT_EQ(outcome.code, 5) << outcome.err;
+    EXPECT_NE(outcome.err.find("-o chooses another one"), std::string::npos) << outcome.err;
+}
+
 TEST_F(BadInput, OfAClosedStdoutEndsWith5) {
     const Outcome outcome = shell("exec \"$PROGRAM\" --version >&-");
     EXPECT_EQ(outcome.code, 5) << outcome.err;
