@@ -78,23 +78,27 @@ class MesaContext {
                                                  0};
         context_ = OSMesaCreateContextAttribs(attributes.data(), nullptr);
         if (context_ == nullptr) throw no_opengl("OSMesa gives no OpenGL 3.2 context");
-        make_current();
+        if (try_make_current()) return;
+        OSMesaDestroyContext(context_);  // the destructor will not run
+        throw not_current();
     }
     ~MesaContext() { OSMesaDestroyContext(context_); }
     MesaContext(const MesaContext&) = delete;
     MesaContext& operator=(const MesaContext&) = delete;
 
     void make_current() {
-        if (OSMesaGetCurrentContext() == context_) return;
+        if (!try_make_current()) throw not_current();
+    }
+    [[nodiscard]] bool try_make_current() noexcept {
+        if (OSMesaGetCurrentContext() == context_) return true;
         // VTK draws into its own framebuffer; this one is never shown and can be tiny.
-        if (OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, k_side, k_side) !=
-            GL_TRUE) {
-            OSMesaDestroyContext(context_);
-            throw no_opengl("the OSMesa context cannot be made current");
-        }
+        return OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, k_side, k_side) ==
+               GL_TRUE;
     }
 
   private:
+    static Error not_current() { return no_opengl("the OSMesa context cannot be made current"); }
+
     static constexpr int k_side = 16;
     OSMesaContext context_ = nullptr;
     std::array<std::uint8_t, std::size_t{4} * k_side * k_side> pixels_{};
@@ -141,8 +145,8 @@ OsmesaContext::OsmesaContext(int width_px, int height_px) : hidden_(std::make_un
 OsmesaContext::~OsmesaContext() {
     SPHEROSCOPE_ASSERT(hidden_->thread == std::this_thread::get_id(),
                        "an OSMesa context is destroyed by the thread that made it");
-    hidden_->mesa.make_current();
-    hidden_->window->Finalize();
+    // Without its context there is nothing that VTK could release.
+    if (hidden_->mesa.try_make_current()) hidden_->window->Finalize();
 }
 
 void OsmesaContext::set_size(int width_px, int height_px) {
