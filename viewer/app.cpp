@@ -90,12 +90,17 @@ class App {
         return live_ != nullptr && !live_->is_over() && !live_->channel().is_paused();
     }
     [[nodiscard]] SnapshotPtr wanted_snapshot();
+    /// Why the frame that is wanted will not come; "" where a state of the engine is wanted.
+    [[nodiscard]] std::string frame_failure();
     void pick_at(const Sight& sight);
     void take_news();
+    /// What there is to say about the frames as they are now.
+    [[nodiscard]] std::string status();
     void request_picture();
     /// Whether there was a new one.
     bool take_picture();
     void save_wanted_picture();
+    void refuse_to_save(const std::string& reason);
     void write_image(const std::string& name, const render::Image& image,
                      const render::PngTexts& texts);
     void draw_panels();
@@ -124,6 +129,7 @@ class App {
     std::int64_t logged_step_ = -1;
     Clock::time_point drawn_at_{};
     bool knows_end_ = false;
+    bool wants_frame_ = false;  // and no state of the engine
     std::optional<PaintedPicture> shown_;
     SnapshotPtr curves_of_;
     Curve radial_stress_, force_distribution_;
@@ -313,21 +319,37 @@ void App::take_news() {
             cli::log_info(fmt::format("all of the run ({}) was read after {:.2f} s",
                                       counted(survey_.n_frames(), "frame"), seconds_since(begin_)));
     }
-    status_ = frames_.failure();
-    if (status_.empty() && survey_.n_frames() < model_.playback.n_frames())
-        status_ = fmt::format("reading the run: {} of {}; until then the colours are those of each "
-                              "frame",
-                              survey_.n_frames(), model_.playback.n_frames());
+    status_ = status();
 }
 
+std::string App::status() {
+    std::string failure = frame_failure();
+    if (failure.empty()) failure = frames_.contact_failure();
+    if (!failure.empty()) return failure;
+    const int n_frames = model_.playback.n_frames();
+    if (survey_.n_frames() < n_frames)
+        return fmt::format("reading the run: {} of {}; until then the colours are those of each "
+                           "frame",
+                           survey_.n_frames(), n_frames);
+    if (survey_.n_unreadable() > 0)
+        return fmt::format(
+            "{} of {} cannot be read; range, scale and plots are those of the others",
+            survey_.n_unreadable(), counted(n_frames, "frame"));
+    return "";
+}
+
+std::string App::frame_failure() { return wants_frame_ ? frames_.failure() : ""; }
+
 SnapshotPtr App::wanted_snapshot() {
+    wants_frame_ = false;
     if (model_.shows_engine() || (live_ != nullptr && model_.playback.frame() < 0)) {
         const int back = model_.live->looks_back;
         if (SnapshotPtr look = back > 0 ? live_->looks().back(back) : live_->newest_look())
             return look;
     }
     const int frame = model_.playback.frame();
-    return frame < 0 ? nullptr : frames_.frame(frame);
+    wants_frame_ = frame >= 0;
+    return wants_frame_ ? frames_.frame(frame) : nullptr;
 }
 
 void App::request_picture() {
@@ -384,17 +406,29 @@ bool App::take_picture() {
     return is_new;
 }
 
+void App::refuse_to_save(const std::string& reason) {
+    saves_picture_ = false;
+    model_.message = "no picture is saved: " + reason;
+}
+
 /// Saves what is on show as soon as it is what was asked for, in full quality and with what all
 /// frames have to say about range and scale.
 void App::save_wanted_picture() {
+    if (const std::string failure = frame_failure(); saves_picture_ && !failure.empty()) {
+        refuse_to_save(failure);
+        return;
+    }
     const PictureRequest& request = shown_->request;
     const bool is_current =
         request.number == n_requests_ && request.snapshot->frame == model_.playback.frame() &&
         requested_.view == model_.view.now() && requested_.quality == render::Quality::full;
-    const bool knows_all =
-        requested_.n_surveyed == model_.playback.n_frames() || !frames_.failure().empty();
+    const bool knows_all = requested_.n_surveyed == model_.playback.n_frames();
     if (!saves_picture_ || !is_current || !knows_all) return;
     if (request.sheet) {
+        if (const std::string failure = frames_.contact_failure(); !failure.empty()) {
+            refuse_to_save(failure);
+            return;
+        }
         if (!sheet_.is_whole(*request.sheet)) return;
         saves_picture_ = false;
         write_image(sheet_name(*request.sheet, request.snapshot->frame), shown_->image,

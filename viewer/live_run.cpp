@@ -71,20 +71,32 @@ void LiveRun::watch_contact(std::optional<inspect::ContactKey> key) {
     historian_ = key ? std::make_unique<inspect::ContactHistorian>(header_, *key) : nullptr;
     contact_history_ =
         key ? std::make_shared<const std::vector<inspect::ContactSummary>>() : nullptr;
+    contact_rows_.clear();
+    contact_failure_.clear();
     n_told_ = 0;
 }
 
 ContactRows LiveRun::contact_history() {
-    if (historian_ == nullptr || n_told_ == frames_.size()) return contact_history_;
+    if (historian_ == nullptr) return contact_history_;
     constexpr int most_at_once = 4;
-    std::vector<inspect::ContactSummary> rows = *contact_history_;
-    for (int k = 0; k < most_at_once && n_told_ < frames_.size(); ++n_told_) {
+    for (int k = 0; k < most_at_once && n_told_ < frames_.size() && contact_failure_.empty();
+         ++n_told_) {
         if (frames_[n_told_] == nullptr) continue;
-        rows.push_back(historian_->summary_of(frames_[n_told_]));
+        try {
+            contact_rows_.push_back(historian_->summary_of(frames_[n_told_]));
+        } catch (const Error& error) {
+            contact_failure_ = fmt::format("the contact's history ends before frame {}: {}",
+                                           n_told_, error.what());
+        }
         ++k;
     }
-    contact_history_ =
-        std::make_shared<const std::vector<inspect::ContactSummary>>(std::move(rows));
+    // All rows so far are copied: for each new one that would take longer the longer the run is.
+    const auto now = std::chrono::steady_clock::now();
+    if (contact_history_->size() != contact_rows_.size() && now - told_at_ > k_telling_every) {
+        told_at_ = now;
+        contact_history_ =
+            std::make_shared<const std::vector<inspect::ContactSummary>>(contact_rows_);
+    }
     return contact_history_;
 }
 

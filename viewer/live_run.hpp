@@ -7,6 +7,7 @@
 #include "viewer/model/live_channel.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <exception>
 #include <optional>
@@ -41,6 +42,7 @@ class LiveRun final : public Frames {
     /// contact_history().
     void watch_contact(std::optional<inspect::ContactKey> key) override;
     [[nodiscard]] ContactRows contact_history() override;
+    [[nodiscard]] std::string contact_failure() override { return contact_failure_; }
     [[nodiscard]] std::string failure() override { return failure_; }
 
     [[nodiscard]] LiveChannel& channel() { return channel_; }
@@ -68,7 +70,10 @@ class LiveRun final : public Frames {
     KeptLooks looks_;
     std::string failure_;
     std::unique_ptr<inspect::ContactHistorian> historian_;
-    ContactRows contact_history_;
+    std::vector<inspect::ContactSummary> contact_rows_;
+    ContactRows contact_history_;  // contact_rows_ as they were handed over last
+    std::string contact_failure_;
+    std::chrono::steady_clock::time_point told_at_{};
     std::size_t n_told_ = 0;  // frames that the historian has seen, or can no longer see
 
     std::atomic<bool> is_over_{false};

@@ -3,7 +3,24 @@
 #include "engine/run/aggregate_shape.hpp"
 #include "render/movie.hpp"
 
+#include <algorithm>
+
 namespace spheroscope::viewer {
+namespace {
+
+/// A frame that cannot be read has the extent of the one before, and the first ones that of the
+/// first that can: the scale does not see them.
+void add_extent(std::vector<double>& extent_um, double next_um) {
+    if (!extent_um.empty() && extent_um.front() == 0.0)
+        std::fill(extent_um.begin(), extent_um.end(), next_um);
+    extent_um.push_back(next_um);
+}
+
+void repeat_extent(std::vector<double>& extent_um) {
+    extent_um.push_back(extent_um.empty() ? 0.0 : extent_um.back());
+}
+
+}  // namespace
 
 RunSurvey::RunSurvey(const RunHeader& header) {
     for (const Field* field : header.fields) finders_.emplace_back(*field);
@@ -15,9 +32,15 @@ void RunSurvey::add(const Snapshot& snapshot) {
         for (std::size_t f = 0; f < finders_.size(); ++f) finders_[f].add(snapshot.fields[f]);
     }
     time_s_.push_back(snapshot.time_s);
-    extent_um_.push_back(render::shown_extent_um(snapshot, {}));
-    cells_extent_um_.push_back(aggregate_extent_um(snapshot));
+    add_extent(extent_um_, render::shown_extent_um(snapshot, {}));
+    add_extent(cells_extent_um_, aggregate_extent_um(snapshot));
     summaries_.push_back(summary_of(snapshot));
+}
+
+void RunSurvey::add_unreadable(double time_s) {
+    time_s_.push_back(time_s);
+    repeat_extent(extent_um_);
+    repeat_extent(cells_extent_um_);
 }
 
 render::View RunSurvey::view_of(const Snapshot& snapshot, const scene::Picture& picture,

@@ -17,8 +17,14 @@ class RunSurvey {
     explicit RunSurvey(const RunHeader& header);
 
     void add(const Snapshot& snapshot);
+    /// The next frame cannot be read: range, scale and numbers are those of the others.
+    void add_unreadable(double time_s);
 
-    [[nodiscard]] int n_frames() const { return static_cast<int>(summaries_.size()); }
+    /// That were added, in either way.
+    [[nodiscard]] int n_frames() const { return static_cast<int>(time_s_.size()); }
+    [[nodiscard]] int n_unreadable() const {
+        return static_cast<int>(time_s_.size() - summaries_.size());
+    }
     [[nodiscard]] const std::vector<FrameSummary>& summaries() const { return summaries_; }
     /// The view of one frame in a movie of `n_frames` frames. With range = "run" the range is that
     /// of all frames that were added; with the same frames, pixels are those of the movie.

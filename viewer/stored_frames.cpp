@@ -1,6 +1,8 @@
 #include "viewer/stored_frames.hpp"
 
-#include "engine/base/error.hpp"
+#include "viewer/model/kept_looks.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
@@ -12,19 +14,10 @@ namespace {
 /// Frames that are read ahead of the one that is shown, for playing.
 constexpr int k_ahead = 4;
 
-/// The panel is drawn for each news: more of them would take the time from reading.
-constexpr std::chrono::milliseconds k_telling_every{100};
-
-std::size_t bytes_of(const Snapshot& snapshot) {
-    std::size_t n = snapshot.x_um.size() + snapshot.normal.size();
-    for (const std::vector<float>& values : snapshot.fields) n += values.size();
-    return n * sizeof(float);
-}
-
 }  // namespace
 
 StoredFrames::StoredFrames(const std::string& path, std::function<void()> on_news)
-    : reader_(path), on_news_(std::move(on_news)), survey_(*reader_.header()),
+    : reader_(path), on_news_(std::move(on_news)), survey_(*reader_.header()), gathered_(survey_),
       thread_([this] { read_all(); }) {}
 
 StoredFrames::~StoredFrames() {
@@ -72,15 +65,22 @@ int StoredFrames::n_surveyed() {
 
 std::string StoredFrames::failure() {
     const std::lock_guard lock(mutex_);
-    return failure_;
+    const auto found = unreadable_.find(wanted_);
+    return found == unreadable_.end() ? "" : found->second;
+}
+
+std::string StoredFrames::contact_failure() {
+    const std::lock_guard lock(mutex_);
+    return contact_failure_;
 }
 
 void StoredFrames::watch_contact(std::optional<inspect::ContactKey> key) {
-    std::shared_ptr<inspect::ContactHistorian> historian;
-    if (key) historian = std::make_shared<inspect::ContactHistorian>(reader_.header(), *key);
+    std::shared_ptr<Watch> watch;
+    if (key) watch = std::make_shared<Watch>(reader_.header(), *key);
     {
         const std::lock_guard lock(mutex_);
-        historian_ = std::move(historian);
+        watch_ = std::move(watch);
+        contact_failure_.clear();
         contact_history_ =
             key ? std::make_shared<const std::vector<inspect::ContactSummary>>() : nullptr;
     }
@@ -92,9 +92,9 @@ ContactRows StoredFrames::contact_history() {
     return contact_history_;
 }
 
-int StoredFrames::n_contact_rows() const {
-    return contact_history_ == nullptr ? reader_.n_frames()
-                                       : static_cast<int>(contact_history_->size());
+bool StoredFrames::history_wants(int number) const {
+    return watch_ != nullptr && contact_failure_.empty() && number < reader_.n_frames() &&
+           number == static_cast<int>(watch_->rows.size());
 }
 
 SnapshotPtr StoredFrames::find(int number) const {
@@ -116,21 +116,26 @@ void StoredFrames::keep(SnapshotPtr snapshot) {
 }
 
 int StoredFrames::next_wanted() const {
-    if (!failure_.empty()) return -1;
     const int n_frames = reader_.n_frames();
     if (wanted_ >= 0) {
         const int last = std::min(wanted_ + k_ahead, n_frames - 1);
         for (int i = wanted_; i <= last; ++i)
-            if (!find(i)) return i;
+            if (!find(i) && !unreadable_.contains(i)) return i;
     }
-    if (n_contact_rows() < n_frames) return n_contact_rows();
-    return may_survey_ && survey_.n_frames() < n_frames ? survey_.n_frames() : -1;
+    if (watch_ != nullptr)
+        if (const auto next = static_cast<int>(watch_->rows.size()); history_wants(next))
+            return next;
+    return may_survey_ && gathered_.n_frames() < n_frames ? gathered_.n_frames() : -1;
 }
 
 void StoredFrames::tell(bool is_waited_for) {
     const auto now = std::chrono::steady_clock::now();
     if (!is_waited_for && now - told_at_ < k_telling_every) return;
     told_at_ = now;
+    if (survey_.n_frames() != gathered_.n_frames()) survey_ = RunSurvey(gathered_);
+    if (watch_ != nullptr && contact_history_->size() != watch_->rows.size())
+        contact_history_ =
+            std::make_shared<const std::vector<inspect::ContactSummary>>(watch_->rows);
     on_news_();
 }
 
@@ -141,56 +146,56 @@ void StoredFrames::read_all() {
         if (is_over_) return;
         const int number = next_wanted();
         SnapshotPtr snapshot = find(number);
-        if (!snapshot) {
-            lock.unlock();
-            std::string failure;
-            try {
-                snapshot = reader_.frame(number);
-            } catch (const std::exception& error) {
-                failure = error.what();
-            }
-            lock.lock();
-            if (!snapshot) {
-                failure_ = failure;
-                on_news_();
-                continue;
-            }
-            keep(snapshot);
-        }
-        try {
-            if (number == n_contact_rows()) add_to_history(snapshot, lock);
-        } catch (const std::exception& error) {
-            failure_ = error.what();
-        }
-        if (number == survey_.n_frames()) add_to_survey(*snapshot, lock);
+        if (!snapshot && !unreadable_.contains(number)) snapshot = read(number, lock);
+        if (history_wants(number)) add_to_history(snapshot, number, lock);
+        if (number == gathered_.n_frames()) add_to_survey(snapshot, lock);
         tell(number == wanted_ || next_wanted() < 0);
     }
 }
 
-void StoredFrames::add_to_survey(const Snapshot& snapshot, std::unique_lock<std::mutex>& lock) {
-    RunSurvey survey = survey_;
+SnapshotPtr StoredFrames::read(int number, std::unique_lock<std::mutex>& lock) {
+    SnapshotPtr snapshot;
+    std::string failure;
     lock.unlock();
-    survey.add(snapshot);
-    lock.lock();
-    survey_ = std::move(survey);
-}
-
-void StoredFrames::add_to_history(const SnapshotPtr& snapshot, std::unique_lock<std::mutex>& lock) {
-    const std::shared_ptr<inspect::ContactHistorian> historian = historian_;
-    std::vector<inspect::ContactSummary> rows = *contact_history_;
-    lock.unlock();
-    std::exception_ptr trouble;
     try {
-        rows.push_back(historian->summary_of(snapshot));
-    } catch (...) {
-        trouble = std::current_exception();
+        snapshot = reader_.frame(number);
+    } catch (const std::exception& error) {
+        failure = error.what();
     }
     lock.lock();
-    if (trouble) std::rethrow_exception(trouble);
+    if (snapshot)
+        keep(snapshot);
+    else
+        unreadable_[number] = failure;
+    return snapshot;
+}
+
+void StoredFrames::add_to_survey(const SnapshotPtr& snapshot, std::unique_lock<std::mutex>& lock) {
+    lock.unlock();
+    if (snapshot)
+        gathered_.add(*snapshot);
+    else
+        gathered_.add_unreadable(reader_.time(gathered_.n_frames()));
+    lock.lock();
+}
+
+void StoredFrames::add_to_history(const SnapshotPtr& snapshot, int number,
+                                  std::unique_lock<std::mutex>& lock) {
+    const std::shared_ptr<Watch> watch = watch_;
+    std::string failure = snapshot ? "" : unreadable_.at(number);
+    lock.unlock();
+    if (snapshot) {
+        try {
+            watch->rows.push_back(watch->historian.summary_of(snapshot));
+        } catch (const std::exception& error) {
+            failure = error.what();
+        }
+    }
+    lock.lock();
     // Another contact may be watched by now.
-    if (historian == historian_)
-        contact_history_ =
-            std::make_shared<const std::vector<inspect::ContactSummary>>(std::move(rows));
+    if (watch == watch_ && !failure.empty())
+        contact_failure_ =
+            fmt::format("the contact's history ends before frame {}: {}", number, failure);
 }
 
 }  // namespace spheroscope::viewer

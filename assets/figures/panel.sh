@@ -19,7 +19,7 @@ export DISPLAY
 panel=$!
 until_log() { until grep -q "$1" "$folder/log"; do kill -0 $panel && sleep 0.1; done; }
 until_log 'first picture'
-until_log 'frames were read'
+until_log 'was read after'
 xdotool mousemove 300 950 key End
 sleep 2 # for the picture of the last frame
 xdotool mousemove 466 391 click 1

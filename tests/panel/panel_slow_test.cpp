@@ -49,7 +49,7 @@ class Panel : public PanelRun {
     Outcome
     show(const std::string& arguments, const std::string& script,
          const std::string& server_options = "",
-         const std::string& ready = "until_log 'frames were read'; until_log 'first picture'\n") {
+         const std::string& ready = "until_log 'was read after'; until_log 'first picture'\n") {
         return shell("Xvfb -displayfd 3 -screen 0 1760x1060x24 -nolisten tcp " + server_options +
                      " 3>display 2>server.log & server=$!\n"
                      "for i in $(seq 200); do [ -s display ] && break; sleep 0.05; done\n"
