@@ -99,6 +99,8 @@ class App {
     void request_picture();
     /// Whether there was a new one.
     bool take_picture();
+    /// A picture could not be drawn: who asked for it bears it.
+    void take_trouble(const PaintedPicture& failed);
     void save_wanted_picture();
     void refuse_to_save(const std::string& reason);
     void write_image(const std::string& name, const render::Image& image,
@@ -124,7 +126,7 @@ class App {
         bool operator==(const Wanted&) const = default;
     };
     Wanted requested_;
-    int n_requests_ = 0;
+    int n_requests_ = 0, n_answered_ = 0;  // the newest one that a picture, or its trouble, came of
     std::vector<double> recorded_range_;
     std::int64_t logged_step_ = -1;
     Clock::time_point drawn_at_{};
@@ -270,7 +272,7 @@ void App::pick_at(const Sight& sight) {
 
 void App::take_engines_news() {
     // A look that cannot be drawn yet would cost the engine a measurement for nothing.
-    if (!shown_ || shown_->request.number == n_requests_) live_->take_look();
+    if (!shown_ || n_answered_ == n_requests_) live_->take_look();
     const KeptLooks& looks = live_->looks();
     model_.live->n_looks = looks.size();
     if (looks.size() > 0) model_.live->oldest_look_s = looks.back(looks.size() - 1)->time_s;
@@ -372,14 +374,30 @@ void App::request_picture() {
     requested_ = std::move(wanted);
 }
 
+void App::take_trouble(const PaintedPicture& failed) {
+    try {
+        std::rethrow_exception(failed.trouble);
+    } catch (const Error& error) {
+        if (failed.request.sheet) {
+            sheet_.close(failed.request.sheet->opened, error.what());
+            return;
+        }
+        if (failed.request.number != n_requests_) return;  // another picture is on its way
+        if (!shown_) throw;  // there is nothing that could be shown beside the reason
+        // What is on show stays, and so does a run that goes on behind it.
+        model_.message = error.what();
+        cli::log_error(error.what());
+        saves_picture_ = false;
+    }
+}
+
 bool App::take_picture() {
     bool is_new = false;
-    std::optional<PaintedPicture> painted;
-    try {
-        painted = painter_.take();
-    } catch (const Error& error) {
-        if (!model_.opened) throw;  // else all cells can still be shown
-        sheet_.close(error);
+    std::optional<PaintedPicture> painted = painter_.take();
+    if (painted) n_answered_ = painted->request.number;
+    if (painted && painted->trouble) {
+        take_trouble(*painted);
+        painted.reset();
     }
     if (painted) {
         if (!shown_) {

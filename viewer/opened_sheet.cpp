@@ -30,12 +30,16 @@ void OpenedSheet::follow() {
         }
         contact_history_ = frames_.contact_history();
     } catch (const Error& error) {
-        close(error);
+        close(error.what());
     }
 }
 
-void OpenedSheet::close(const Error& why) {
-    model_.message = why.what();
+void OpenedSheet::close(const Opened& failed, const std::string& why) {
+    if (model_.opened == failed) close(why);
+}
+
+void OpenedSheet::close(const std::string& why) {
+    model_.message = why;
     model_.opened.reset();
     watched_.reset();
     contact_history_ = nullptr;

@@ -7,10 +7,6 @@
 #include <optional>
 #include <string>
 
-namespace spheroscope {
-class Error;
-}
-
 namespace spheroscope::viewer {
 
 struct AppSettings;
@@ -25,7 +21,9 @@ class OpenedSheet {
     /// Watches what is open, and takes what has become known of a contact's history.
     void follow();
     /// Back to all cells, because this cannot be shown.
-    void close(const Error& why);
+    void close(const std::string& why);
+    /// The same, because drawing this has failed: nothing, if it is no longer what is open.
+    void close(const Opened& failed, const std::string& why);
     /// To the open contact's event before or after the frame on show.
     void go_to_event(Action action);
 

@@ -102,7 +102,7 @@ void Painter::request(PictureRequest wanted) {
 
 std::optional<PaintedPicture> Painter::take() {
     const std::lock_guard lock(mutex_);
-    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+    if (not_ready_) std::rethrow_exception(not_ready_);
     return std::exchange(painted_, std::nullopt);
 }
 
@@ -117,19 +117,18 @@ void Painter::paint_all() {
     }
     std::unique_lock lock(mutex_);
     if (not_ready) {
-        failure_ = not_ready;
+        not_ready_ = not_ready;
         on_news_();
         return;
     }
     while (true) {
         changed_.wait(lock, [&] { return is_over_ || wanted_; });
         if (is_over_) return;
-        PaintedPicture painted{std::move(*wanted_), {}, {}, 0.0, {}};
+        PaintedPicture painted{.request = std::move(*wanted_), .image = {}, .camera = {}};
         wanted_.reset();
         lock.unlock();
         const PictureRequest& request = painted.request;
         const auto begin = std::chrono::steady_clock::now();
-        std::exception_ptr failure;
         try {
             renderer->set_picture(request.picture);
             if (request.sheet)
@@ -138,15 +137,12 @@ void Painter::paint_all() {
                 painted.image = renderer->render(*request.snapshot, request.view);
             painted.camera = renderer->camera(*request.snapshot, request.view);
         } catch (...) {
-            failure = std::current_exception();
+            painted.trouble = std::current_exception();
         }
         painted.took_s =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         lock.lock();
-        if (failure)
-            failure_ = failure;
-        else
-            painted_ = std::move(painted);
+        painted_ = std::move(painted);
         on_news_();
     }
 }

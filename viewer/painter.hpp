@@ -33,6 +33,8 @@ struct PictureRequest {
 
 struct PaintedPicture {
     PictureRequest request;
+    /// Why it could not be drawn; then there is nothing else but the request.
+    std::exception_ptr trouble = nullptr;
     render::Image image;
     render::Camera camera;
     double took_s = 0.0;
@@ -52,7 +54,7 @@ class Painter {
     Painter& operator=(const Painter&) = delete;
 
     void request(PictureRequest wanted);
-    /// The newest picture, once. Throws what went wrong while drawing.
+    /// The newest picture, once, or what has come of it. Throws where nothing can be drawn at all.
     [[nodiscard]] std::optional<PaintedPicture> take();
 
   private:
@@ -67,7 +69,7 @@ class Painter {
     bool is_over_ = false;
     std::optional<PictureRequest> wanted_;
     std::optional<PaintedPicture> painted_;
-    std::exception_ptr failure_;
+    std::exception_ptr not_ready_;
 
     std::thread thread_;  // last
 };

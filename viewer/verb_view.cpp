@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <exception>
 #include <filesystem>
 #include <memory>
 
@@ -107,7 +108,13 @@ ExitCode view_scene(const ViewArguments& arguments, const cli::Invocation& invoc
     settings.run_file = place.run_file();
     settings.folder = place.folder;
     settings.drawn_by = cli::version_text();
-    const viewer::AppReport report = viewer::run_app(window, live, painter, model, &live, settings);
+    viewer::AppReport report;
+    std::exception_ptr trouble;  // of the panel: what the run has come to is told first
+    try {
+        report = viewer::run_app(window, live, painter, model, &live, settings);
+    } catch (...) {
+        trouble = std::current_exception();
+    }
     const cli::SimulationSummary summary = live.finish();
     const double pace = live.channel().pace().overall();
     if (common.json) {
@@ -122,6 +129,7 @@ ExitCode view_scene(const ViewArguments& arguments, const cli::Invocation& invoc
                    cli::summary_text(summary, place), pace);
     }
     if (!summary.result.message.empty()) cli::log_error(summary.result.message);
+    if (trouble) std::rethrow_exception(trouble);
     const bool by_hand =
         summary.result.verdict == RunVerdict::stopped && cli::interrupt_signal() == 0;
     if (by_hand)

@@ -42,6 +42,8 @@ class Panel : public PanelRun {
                 GTEST_SKIP() << program << " is not installed (Debian: xvfb, xdotool)";
     }
 
+    std::string before_program;  ///< of the environment, "NAME=value "
+
     /// Shows `arguments` on a display of its own; `script` has input for when the whole run has
     /// been read and its first picture is there. The log says when something is done, so that
     /// nothing depends on how fast this machine is: `until_log TEXT` waits for it. Ctrl Q at the
@@ -53,9 +55,8 @@ class Panel : public PanelRun {
         return shell("Xvfb -displayfd 3 -screen 0 1760x1060x24 -nolisten tcp " + server_options +
                      " 3>display 2>server.log & server=$!\n"
                      "for i in $(seq 200); do [ -s display ] && break; sleep 0.05; done\n"
-                     "export DISPLAY=:$(cat display)\n"
-                     "\"$PROGRAM\" view " +
-                     arguments +
+                     "export DISPLAY=:$(cat display)\n" +
+                     before_program + "\"$PROGRAM\" view " + arguments +
                      " --json >report.json 2>log & panel=$!\n"
                      "until_log() { for i in $(seq 600); do grep -q \"$1\" log && break; "
                      "kill -0 $panel 2>/dev/null || break; sleep 0.05; done; }\n"
@@ -307,6 +308,14 @@ TEST_F(Panel, WhatIsChangedInALiveRunIsRepeatedToTheBitWithoutADisplay) {
     EXPECT_EQ(json_of(again)["frames"], report["run"]["frames"]);
     const Outcome without = call({"run", "scene.toml", "-o", "w", "--json", "--quiet"});
     EXPECT_NE(json_of(without)["state_hash"], report["run"]["state_hash"]);
+}
+
+TEST_F(Panel, WithoutPicturesALiveRunStillSaysWhatItHasComeTo) {
+    before_program = "LD_PRELOAD=libGL.so.1 ";  // an OpenGL that is not the pictures' own
+    const Outcome outcome = show_live("");
+    EXPECT_EQ(outcome.code, 5) << outcome.err;
+    EXPECT_NE(outcome.err.find("no pictures can be drawn"), std::string::npos) << outcome.err;
+    EXPECT_EQ(json_of(outcome)["run"]["outcome"], "stopped") << outcome.out;
 }
 
 TEST_F(PanelRun, WithoutADisplaySaysWhatToDoInstead) {
