@@ -1,5 +1,7 @@
 #include "engine/run/changes.hpp"
 
+#include "engine/scene/limits.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,10 +22,6 @@ bool has_W_alone(const Scene& s) {
     return s.contact && s.contact->adhesive && !(s.contact->omega_nN_per_um > 0.0);
 }
 
-double gamma_of(const Scene& s) {
-    return s.cortex.tension ? s.cortex.tension->gamma_nN_per_um : 0.0;
-}
-
 std::size_t n_values(const ChangeableRow& row) {
     return row.of == ChangeableRow::Of::picture ? 2 : 1;
 }
@@ -34,13 +32,10 @@ void check_values(const ChangeableRow& row, const Change& change) {
     if (values.size() != n_wanted)
         throw Error(fmt::format("{} wants {} number{}, got {}", change.key, n_wanted,
                                 n_wanted == 1 ? "" : "s", values.size()));
-    const bool are_finite =
-        std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-    if (row.of == ChangeableRow::Of::engine && !(are_finite && values[0] > 0.0))
-        throw Error(fmt::format("{} wants a value > 0, got {}", change.key, values[0]));
-    if (row.of == ChangeableRow::Of::picture && !(are_finite && values[0] < values[1]))
-        throw Error(fmt::format("{} goes from low to high, got {} to {}", change.key, values[0],
-                                values[1]));
+    const std::string problem = row.of == ChangeableRow::Of::picture
+                                    ? scene::problem_of_range({values[0], values[1]})
+                                    : scene::problem_of_number(change.key, values[0]);
+    if (!problem.empty()) throw Error(problem);
 }
 
 }  // namespace
@@ -102,14 +97,14 @@ void apply_change(Scene& scene, const Change& change) {
     check_values(*row, change);
     Scene changed = scene;
     row->set(changed, change.values);
-    if (changed.contact && changed.contact->adhesive && !changed.allow_full_wetting &&
-        changed.contact->W_nN_per_um > 2.0 * gamma_of(changed))
-        throw Error(fmt::format("{} = {}: W = {:.4g} nN/um would be above 2 gamma = {:.4g} nN/um, "
-                                "and cells flatten without limit",
-                                change.key,
-                                scene::format_quantity(change.values[0], row->dimension),
-                                changed.contact->W_nN_per_um, 2.0 * gamma_of(changed)),
-                    "allow it with scene.allow_full_wetting = true");
+    // A tolerance of 0 is one that scenes may have, but asks for another way of making steps.
+    if (!row->is_in(changed))
+        throw Error(fmt::format("{} must be > 0 while this run goes on, got {}", change.key,
+                                scene::format_quantity(change.values[0], row->dimension)));
+    if (const std::string problem = scene::problem_of_wetting(changed); !problem.empty())
+        throw Error(fmt::format("{} = {}: {}", change.key,
+                                scene::format_quantity(change.values[0], row->dimension), problem),
+                    std::string(scene::k_allow_wetting));
     scene = std::move(changed);
 }
 

@@ -35,8 +35,7 @@ struct ChangeableRow {
 [[nodiscard]] const ChangeableRow* find_changeable(std::string_view key);
 
 /// Throws Error, with the scene as it was: an unknown key, one that the scene does not have, a
-/// value that scenes may not have either (not positive; W above 2 gamma without
-/// allow_full_wetting; a range from high to low).
+/// value that a scene may not have either, for the same reason (engine/scene/limits.hpp).
 void apply_change(scene::Scene& scene, const Change& change);
 
 /// One line for each change, "12.5 cortex.tension.gamma 0.6": what a run's file holds.

@@ -579,6 +579,18 @@ const auto& keys() {
 std::span<const Table> all_tables() { return tables(); }
 std::span<const Key> all_keys() { return keys(); }
 
+const Key* find_key(std::string_view table, std::string_view name) {
+    for (const Key& key : all_keys())
+        if (key.table == table && key.name == name) return &key;
+    return nullptr;
+}
+
+const Key* find_key(std::string_view path) {
+    const auto dot = path.rfind('.');
+    if (dot == std::string_view::npos) return nullptr;
+    return find_key(path.substr(0, dot), path.substr(dot + 1));
+}
+
 std::string_view word_of(OmegaReading reading) {
     return k_readings.at(static_cast<std::size_t>(reading));
 }

@@ -102,6 +102,11 @@ struct Table {
 [[nodiscard]] std::span<const Table> all_tables();
 [[nodiscard]] std::span<const Key> all_keys();
 
+/// nullptr if there is no such key in the table.
+[[nodiscard]] const Key* find_key(std::string_view table, std::string_view name);
+/// The same by its path, "cortex.tension.gamma".
+[[nodiscard]] const Key* find_key(std::string_view path);
+
 /// As in scene files: "two_sided".
 [[nodiscard]] std::string_view word_of(OmegaReading reading);
 

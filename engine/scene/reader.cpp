@@ -33,12 +33,6 @@ bool leads_to_table(std::string_view path) {
     });
 }
 
-const Key* find_key(std::string_view table, std::string_view name) {
-    for (const Key& key : all_keys())
-        if (key.table == table && key.name == name) return &key;
-    return nullptr;
-}
-
 // ---- unknown names -----------------------------------------------------------------------------
 
 /// Names that may stand in a table, whose name is a path.

@@ -1,5 +1,6 @@
 #include "engine/scene/resolve.hpp"
 
+#include "engine/scene/limits.hpp"
 #include "engine/scene/shots.hpp"
 
 #include <fmt/format.h>
@@ -134,24 +135,15 @@ void resolve_adhesion(Draft& draft) {
 }
 
 void check_wetting(Draft& draft) {
-    Scene& scene = draft.scene;
-    const double W = scene.contact->W_nN_per_um;
-    const double limit = 2.0 * gamma_of(scene);
     const Loc loc = loc_of(draft, "contact.adhesion");
-    const std::string reading = fmt::format("W = {} nN/um (omega_reading = \"{}\")", W,
-                                            word_of(scene.contact->omega_reading));
-    // relative: both are products of a few rounded numbers
-    const bool equal = std::abs(W - limit) <= 1e-12 * limit;
-    if (equal)
-        warn(
-            scene, loc,
-            fmt::format("{} equals 2 gamma: full wetting, contacts have no tension left", reading));
-    if (equal || W < limit || scene.allow_full_wetting) return;
-    const std::string beyond = scene.cortex.tension
-                                   ? fmt::format("is above 2 gamma = {} nN/um", limit)
-                                   : std::string("has no [cortex.tension] to resist it");
-    throw Error(loc, fmt::format("{} {}: cells flatten without limit", reading, beyond),
-                "allow it with scene.allow_full_wetting = true");
+    if (wets_fully(draft.scene))
+        warn(draft.scene, loc,
+             fmt::format("W = {} nN/um (omega_reading = \"{}\") equals 2 gamma: full wetting, "
+                         "contacts have no tension left",
+                         draft.scene.contact->W_nN_per_um,
+                         word_of(draft.scene.contact->omega_reading)));
+    if (const std::string problem = problem_of_wetting(draft.scene); !problem.empty())
+        throw Error(loc, problem, std::string(k_allow_wetting));
 }
 
 /// The rim of a contact advances from node to node. The surface beyond it stands off at some angle,
@@ -405,10 +397,9 @@ void resolve_pictures(Draft& draft) {
                         fmt::format("two pictures have the name \"{}\"", picture.name));
         if (picture.network && !scene.contact)
             throw Error(picture.loc, "picture.network draws contact forces: it needs [contact]");
-        if (picture.range == "given" && !(picture.given_range[0] < picture.given_range[1]))
-            throw Error(picture.loc, fmt::format("picture.given_range wants [lowest, highest], got "
-                                                 "[{}, {}]",
-                                                 picture.given_range[0], picture.given_range[1]));
+        if (picture.range == "given")
+            if (const std::string problem = problem_of_range(picture.given_range); !problem.empty())
+                throw Error(picture.loc, problem);
         static_cast<void>(parse_shots(picture));  // throws for a shot that nobody understands
         if (picture.stress_axes && !scene.contact)
             throw Error(picture.loc,

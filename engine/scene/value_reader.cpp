@@ -36,8 +36,8 @@ class ValueReader {
         }
         if (!quantity.ok()) refuse(value, quantity.problem);
         if (!std::isfinite(quantity.value)) refuse(value, "(not finite)");
-        check_bound(value, quantity.value);
-        check_size(value, quantity.value);
+        if (const std::string wanted = missed_limits(key_, quantity.value); !wanted.empty())
+            refuse_number(value, wanted);
         target = quantity.value;
     }
 
@@ -118,11 +118,6 @@ class ValueReader {
             refuse_number(value, key_.bound.words);
     }
 
-    void check_size(const Value& value, double number) const {
-        if (const std::string sizes = missed_sizes(key_, number); !sizes.empty())
-            refuse_number(value, sizes);
-    }
-
     [[noreturn]] void refuse_number(const Value& value, std::string_view wanted) const {
         throw Error(value.loc, fmt::format("{} must be {}, got {}{}", path_, wanted,
                                            document_.as_written(value),
@@ -177,6 +172,11 @@ std::string describe_type(const Key& key) {
             [&](const Choice& choice) { return "one of " + quoted_list(choice.words); },
         },
         key.access);
+}
+
+std::string missed_limits(const Key& key, double number) {
+    if (key.bound.holds != nullptr && !key.bound.holds(number)) return std::string(key.bound.words);
+    return missed_sizes(key, number);
 }
 
 std::string missed_sizes(const Key& key, double number) {

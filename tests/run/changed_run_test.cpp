@@ -2,14 +2,16 @@
 #include "engine/base/error.hpp"
 #include "engine/run/engine.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace spheroscope {
 namespace {
 
 /// Two cells of 42 nodes that spread for two seconds.
-scene::Scene doublet() {
-    return scene::parse_scene(R"([cells]
+const std::string k_doublet = R"([cells]
 arrangement = "pair"
 nodes = 42
 radius = "8 um"
@@ -43,9 +45,9 @@ duration = "1 s"
 every = "0.5 s"
 [[picture]]
 field = "sigma_nn"
-)",
-                              "doublet");
-}
+)";
+
+scene::Scene doublet() { return scene::parse_scene(k_doublet, "doublet"); }
 
 /// Watches all it can, and makes the given changes when their times have come.
 class Watcher final : public LiveControl {
@@ -206,6 +208,59 @@ TEST(AChange, ThatTheSceneMayNotHaveIsRefusedAndTheRunGoesOn) {
     EXPECT_NE(watcher.reasons[1].find("> 0"), std::string::npos) << watcher.reasons[1];
     EXPECT_TRUE(ended.recorded.empty());
     EXPECT_EQ(ended.result.state_hash, run({}).result.state_hash);
+}
+
+std::string refusal_of(const std::string& key, const std::vector<double>& values) {
+    scene::Scene scene = doublet();
+    try {
+        apply_change(scene, {0.0, key, values});
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// What reading the scene says of the value, without the place and the line that it quotes.
+std::string scenes_refusal_of(const scene::Override& set) {
+    std::string text = "";
+    try {
+        static_cast<void>(scene::parse_scene(k_doublet, "doublet", {set}));
+    } catch (const Error& error) {
+        text = error.what();
+    }
+    return text;
+}
+
+TEST(AChange, IsRefusedForTheReasonsThatScenesHave) {
+    struct Case {
+        const char *key, *unit;
+        double value;
+    };
+    for (const Case& c :
+         {Case{"cortex.tension.gamma", "nN/um", 0.0}, Case{"cortex.tension.gamma", "nN/um", 1e-13},
+          Case{"cortex.tension.gamma", "nN/um", 1e10},
+          Case{"contact.adhesion.omega", "nN/um", -0.1},
+          Case{"contact.adhesion.omega", "nN/um", 1.5},
+          Case{"contact.adhesion.omega", "nN/um", 1e10}, Case{"method.tolerance", "um", -1.0},
+          Case{"method.tolerance", "um", 1e7}}) {
+        const std::string refusal = refusal_of(c.key, {c.value});
+        const std::string scenes =
+            scenes_refusal_of({c.key, fmt::format("\"{} {}\"", c.value, c.unit)});
+        EXPECT_NE(refusal, "") << c.key << " " << c.value;
+        // "gamma must be > 0", "W = ... is above 2 gamma = ...": up to what was got and the hint
+        const std::size_t wanted =
+            refusal.find(": W = ") != std::string::npos ? refusal.find("W = ") : std::size_t{0};
+        const std::string reason =
+            refusal.substr(wanted, refusal.find_first_of(",\n", wanted) - wanted);
+        EXPECT_NE(scenes.find(reason), std::string::npos) << reason << "\n" << scenes;
+    }
+    EXPECT_NE(refusal_of("picture.given_range", {5.0, 5.0}).find("wants [lowest, highest]"),
+              std::string::npos);
+    EXPECT_NE(refusal_of("picture.given_range", {0.0, 1e20}), "");
+    EXPECT_NE(refusal_of("cortex.tension.gamma", {std::nan("")}), "");
+    EXPECT_NE(refusal_of("method.tolerance", {0.0}).find("while this run goes on"),
+              std::string::npos);
+    EXPECT_EQ(refusal_of("method.tolerance", {0.01}), "");
 }
 
 TEST(AChange, OfSomethingElseIsAnErrorBeforeTheRun) {

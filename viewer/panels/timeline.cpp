@@ -52,7 +52,9 @@ void draw_timeline(PanelContext& panel) {
     ImGui::SameLine();
     int frame = playback.frame();
     ImGui::SetNextItemWidth(-290.0F);
-    if (ImGui::SliderInt("##frame", &frame, 0, playback.n_frames() - 1, "")) playback.go_to(frame);
+    if (ImGui::SliderInt("##frame", &frame, 0, playback.n_frames() - 1, "",
+                         ImGuiSliderFlags_AlwaysClamp))
+        playback.go_to(frame);
     ImGui::SameLine();
     const double time_s = playback.time_s()[static_cast<std::size_t>(playback.frame())];
     const std::string stage =

@@ -1,10 +1,11 @@
+#include "engine/scene/limits.hpp"
 #include "viewer/panels/panel.hpp"
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace spheroscope::viewer {
 namespace {
@@ -58,10 +59,36 @@ void choose_range(const PanelContext& panel, ViewSettings& view) {
     ImGui::InputScalarN(label.c_str(), ImGuiDataType_Double, typed.data(), 2, nullptr, nullptr,
                         "%.6g");
     if (typed == p.given_range) return;
-    if (typed[0] < typed[1])
-        p.given_range = typed;
-    else
-        panel.model.message = "a range goes from low to high";
+    panel.model.message = scene::problem_of_range(typed);
+    if (panel.model.message.empty()) p.given_range = typed;
+}
+
+/// Takes a typed number where a scene could have it too; else says why not, and it stays what it
+/// was.
+void take(PanelContext& panel, double& member, double typed, std::string_view key) {
+    if (typed == member) return;
+    panel.model.message = scene::problem_of_number(key, typed);
+    if (panel.model.message.empty()) member = typed;
+}
+
+/// The slider goes as far as pictures are of use; more can be typed, as scenes can have it.
+void choose_exploded(PanelContext& panel, scene::Picture& p) {
+    constexpr double k_left = 0.0, k_right = 2.0;
+    double exploded = p.exploded;
+    ImGui::SetNextItemWidth(150.0F);
+    if (ImGui::SliderScalar("pulled apart", ImGuiDataType_Double, &exploded, &k_left, &k_right,
+                            "%.2f"))
+        take(panel, p.exploded, exploded, "picture.exploded");
+}
+
+void choose_angles(PanelContext& panel, scene::Picture& p) {
+    std::array<double, 2> angles{p.azimuth_deg, p.elevation_deg};
+    ImGui::SetNextItemWidth(150.0F);
+    if (!ImGui::InputScalarN("##angles", ImGuiDataType_Double, angles.data(), 2, nullptr, nullptr,
+                             "%.1f°"))
+        return;
+    take(panel, p.azimuth_deg, angles[0], "picture.azimuth");
+    take(panel, p.elevation_deg, angles[1], "picture.elevation");
 }
 
 }  // namespace
@@ -87,17 +114,8 @@ void draw_view(PanelContext& panel) {
         ImGui::SameLine();
         ImGui::Checkbox("stress axes", &view.picture.stress_axes);
     }
-    auto exploded = static_cast<float>(view.picture.exploded);
-    ImGui::SetNextItemWidth(150.0F);
-    if (ImGui::SliderFloat("pulled apart", &exploded, 0.0F, 2.0F, "%.2f"))
-        view.picture.exploded = double{exploded};
-    std::array<float, 2> angles{static_cast<float>(view.picture.azimuth_deg),
-                                static_cast<float>(view.picture.elevation_deg)};
-    ImGui::SetNextItemWidth(150.0F);
-    if (ImGui::InputFloat2("##angles", angles.data(), "%.1f°")) {
-        view.picture.azimuth_deg = double{angles[0]};
-        view.picture.elevation_deg = std::clamp(double{angles[1]}, -90.0, 90.0);
-    }
+    choose_exploded(panel, view.picture);
+    choose_angles(panel, view.picture);
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
     if (ImGui::BeginCombo("##look", "look from ...")) {
