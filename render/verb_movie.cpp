@@ -18,6 +18,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -245,6 +246,7 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
     fs::path folder;
     std::vector<scene::Picture> pictures;
     bool is_drawn = true;
+    std::exception_ptr trouble;
     if (is_run_file(arguments.input)) {
         folder = arguments.common.output.empty() ? fs::path(arguments.input).parent_path()
                                                  : fs::path(arguments.common.output);
@@ -276,17 +278,24 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
         }
     }
     if (is_drawn) {
-        const RunFileReader reader(run_file);
-        if (reader.n_frames() > 0)
-            draw(reader, pictures, folder, arguments, outcome);
-        else if (is_run_file(arguments.input))
-            throw Error(run_file + ": there is no frame to make a movie of",
-                        "the run has no frames yet");
+        try {
+            const RunFileReader reader(run_file);
+            if (reader.n_frames() > 0)
+                draw(reader, pictures, folder, arguments, outcome);
+            else if (is_run_file(arguments.input))
+                throw Error(run_file + ": there is no frame to make a movie of",
+                            "the run has no frames yet");
+        } catch (...) {
+            // What the run has come to, and movies that are there, are told first.
+            if (outcome.text.empty()) throw;
+            trouble = std::current_exception();
+        }
     }
     if (arguments.common.json)
         cli::print_json(outcome.document);
     else
         fmt::print("{}", outcome.text);
+    if (trouble) std::rethrow_exception(trouble);
     return outcome.code;
 }
 

@@ -40,6 +40,19 @@ TEST_F(InterruptedMovie, WithoutFfmpegEndsWith5AndKeepsAllPictures) {
     EXPECT_FALSE(fs::exists(path("o/main.mp4")));
 }
 
+TEST_F(InterruptedMovie, WithoutFfmpegStillTellsWhatTheRunHasComeTo) {
+    const std::string call =
+        "PATH=/nowhere exec \"$PROGRAM\" movie scene.toml -o new --overwrite --quiet";
+    const Outcome document = shell(call + " --json");
+    EXPECT_EQ(document.code, 5) << document.err;
+    EXPECT_NE(document.err.find("ffmpeg"), std::string::npos) << document.err;
+    EXPECT_EQ(json_of(document)["run"]["frames"], 24);
+    EXPECT_TRUE(json_of(document)["movies"].empty());
+    const Outcome text = shell(call);
+    EXPECT_EQ(text.code, 5) << text.err;
+    EXPECT_NE(text.out.find("new/run.h5"), std::string::npos) << text.out;
+}
+
 TEST_F(InterruptedMovie, WhileItDrawsEndsWith130And143AndGoesOnWithThePicturesItHas) {
     for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
         fs::remove_all(path("o/frames"));
