@@ -259,8 +259,13 @@ void App::act(Action action) {
 void App::pick_at(const Sight& sight) {
     const Clock::time_point begin = Clock::now();
     const double share = shown_->request.picture.exploded;
-    model_.selection = share > 0.0 ? pick(exploded(*shown_->request.snapshot, share), sight)
-                                   : pick(*shown_->request.snapshot, sight);
+    try {
+        model_.selection = share > 0.0 ? pick(exploded(*shown_->request.snapshot, share), sight)
+                                       : pick(*shown_->request.snapshot, sight);
+    } catch (const Error& error) {
+        model_.message = error.what();
+        return;
+    }
     report_.longest_pick_s = std::max(report_.longest_pick_s, seconds_since(begin));
     if (model_.selection)
         cli::log_info(fmt::format(

@@ -4,6 +4,7 @@
 #include "engine/base/index.hpp"
 #include "engine/contact/triangle_pair.hpp"
 #include "engine/forces/contact_variational.hpp"
+#include "engine/stages/build.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -278,6 +279,15 @@ Balance balance_of(const FrameSystem& frame, const Sides& sides, const Vec3& cen
 }
 
 }  // namespace
+
+double contact_reach_um(const RunHeader& header) {
+    const SystemParts parts =
+        build_parts(scene::parse_scene(header.resolved_scene, "the run's scene"));
+    if (!parts.contact) return 0.0;
+    // The law's overlap is that of surfaces that stand out by h0 each.
+    const double farthest_um = 2.0 * parts.contact->h0_um;
+    return std::max(farthest_um, parts.contact->largest_overlap_um - farthest_um);
+}
 
 void check_cells(const RunHeader& header, const ContactKey& key) {
     for (const int cell : {key.cell_a, key.cell_b})

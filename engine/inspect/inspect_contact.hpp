@@ -24,6 +24,10 @@ namespace spheroscope::inspect {
 [[nodiscard]] std::vector<ContactKey> nearest_contacts(const Snapshot& frame, const ContactKey& key,
                                                        int n_wanted);
 
+/// How far surfaces that act on each other can lie apart, or in each other, by the contact law of
+/// the run's scene; 0 without [contact]. Throws Error when the scene cannot be read.
+[[nodiscard]] double contact_reach_um(const RunHeader& header);
+
 /// Throws Error (usage) unless both cells are in the run.
 void check_cells(const RunHeader& header, const ContactKey& key);
 

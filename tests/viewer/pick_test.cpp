@@ -66,6 +66,21 @@ TEST(Picking, PassesThroughCellsThatTheCutawayLeavesOut) {
     EXPECT_EQ(found->other_cell, 0);  // this is where they touch
 }
 
+TEST(Picking, FindsTheNeighbourAsFarAsTheScenesContactsReach) {
+    for (const auto& [h0_um, neighbour] : {std::pair{0.3, -1}, std::pair{1.0, 0}}) {
+        const auto snapshot = two_cells(h0_um);
+        for (std::size_t i = snapshot->x_um.size() / 2; i < snapshot->x_um.size(); i += 3)
+            snapshot->x_um[i] += 1.4F;
+        snapshot->centre_um[3] += 1.4F;
+        Sight sight = along_x(0.3, 0.3);
+        sight.cutaway = true;
+        const auto found = pick(*snapshot, sight);
+        ASSERT_TRUE(found.has_value());
+        EXPECT_EQ(found->cell, 1);
+        EXPECT_EQ(found->other_cell, neighbour) << h0_um;
+    }
+}
+
 TEST(Picking, TheTableHasValuesInTheUnitsOfLegends) {
     const auto snapshot = two_cells();
     const std::vector<TableRow> rows = describe(*snapshot, {0, 5, 3, 1, Vec3::Zero()});

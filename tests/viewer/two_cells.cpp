@@ -3,15 +3,27 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 namespace spheroscope::viewer {
 
-std::shared_ptr<Snapshot> two_cells() {
+namespace {
+
+std::string scene_of_two_cells(double h0_um) {
+    return "[cells]\narrangement = \"pair\"\nnodes = 162\nradius = \"8 um\"\n[medium]\n"
+           "[contact]\nrepulsion_k = 1.0\nh0 = " +
+           std::to_string(h0_um) + "\n[[stage]]\nkind = \"relax\"\nduration = 1.0\nevery = 0.5\n";
+}
+
+}  // namespace
+
+std::shared_ptr<Snapshot> two_cells(double h0_um) {
     constexpr double radius_um = 8.0;
     auto header = std::make_shared<RunHeader>();
     header->topology = make_icosphere(162);
     header->n_cells = 2;
     header->scene_name = "two.toml";
+    header->resolved_scene = scene_of_two_cells(h0_um);
     header->fields = {find_field("sigma_h"), find_field("sigma_nn"), find_field("gamma_eff")};
     header->radius_um = {8.0F, 8.0F};
     auto snapshot = std::make_shared<Snapshot>();

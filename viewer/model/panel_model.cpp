@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace spheroscope::viewer {
 
@@ -154,14 +155,18 @@ void PanelModel::go_to_blame(int frame, const SeriesRow& row) {
 void PanelModel::pick_blamed(const Snapshot& on_show) {
     if (playback.frame() != blamed_frame_) blaming_ = nullptr;
     if (blaming_ == nullptr || on_show.frame != blamed_frame_) return;
-    if (const std::optional<Pick> worst = blamed(*blaming_, on_show)) {
+    const SeriesRow& row = *std::exchange(blaming_, nullptr);
+    try {
+        const std::optional<Pick> worst = blamed(row, on_show);
+        if (!worst) return;
         selection = worst;
         message = worst->other_cell < 0
                       ? fmt::format("cell {} is picked", worst->cell)
                       : fmt::format("the contact of cells {} and {} is picked; O opens it",
                                     worst->cell, worst->other_cell);
+    } catch (const Error& error) {
+        message = error.what();
     }
-    blaming_ = nullptr;
 }
 
 void PanelModel::add_bookmark() {

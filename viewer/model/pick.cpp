@@ -1,6 +1,7 @@
 #include "viewer/model/pick.hpp"
 
 #include "engine/base/index.hpp"
+#include "engine/inspect/inspect_contact.hpp"
 #include "viewer/model/series.hpp"
 
 #include <fmt/format.h>
@@ -13,10 +14,6 @@ namespace spheroscope::viewer {
 namespace {
 
 constexpr double k_far = std::numeric_limits<double>::infinity();
-
-/// Surfaces that touch lie within a few adhesion ranges (0.3 um) of each other, and other
-/// neighbours much farther.
-constexpr double k_touching_um = 1.0;
 
 Vec3 point(const std::vector<float>& values, std::size_t i) {
     return {double{values[3 * i]}, double{values[3 * i + 1]}, double{values[3 * i + 2]}};
@@ -73,10 +70,12 @@ bool is_drawn(const Snapshot& snapshot, int cell, const Sight& sight) {
     return !sight.cutaway || (centre - sight.middle_um).dot(sight.away_from_eye) >= 0.0;
 }
 
-/// The neighbour whose surface lies at the point, seen along the normal there.
+/// The neighbour whose surface lies at the point, seen along the normal there, as near as surfaces
+/// that act on each other can be; others are much farther.
 int neighbour_at(const Snapshot& snapshot, int cell, const Vec3& at, const Vec3& normal) {
     int nearest = -1;
-    double gap = k_touching_um;
+    if (snapshot.links.empty()) return nearest;
+    double gap = inspect::contact_reach_um(*snapshot.header);
     for (const ContactLink& link : snapshot.links) {
         if (link.cell_a != cell && link.cell_b != cell) continue;
         const int other = link.cell_a == cell ? link.cell_b : link.cell_a;

@@ -22,6 +22,7 @@ struct Pick {
     int other_cell = -1;                      ///< that touches the cell there; -1: none
     Vec3 point_um;
 };
+/// Throws Error when the run's scene, which says how far contacts reach, cannot be read.
 [[nodiscard]] std::optional<Pick> pick(const Snapshot& snapshot, const Sight& sight);
 
 /// What a sight would have found that meets the middle of this triangle.
