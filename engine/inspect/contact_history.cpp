@@ -45,19 +45,25 @@ std::string_view name_of(EventKind kind) {
     return "";
 }
 
+std::optional<EventKind> event_between(const ForceOfContact& before, const ForceOfContact& now) {
+    if (before.exists != now.exists) return now.exists ? EventKind::forms : EventKind::breaks;
+    if (now.exists && (before.force_nN > 0.0) != (now.force_nN > 0.0))
+        return EventKind::sign_change;
+    return {};
+}
+
 std::vector<ContactEvent> find_events(std::span<const ContactSummary> history) {
     std::vector<ContactEvent> events;
     for (std::size_t i = 1; i < history.size(); ++i) {
         const ContactSummary &before = history[i - 1], &now = history[i];
         if (before.is_seeding) continue;
         const double f0 = before.normal_force_nN, f1 = now.normal_force_nN;
-        if (before.exists != now.exists)
-            events.push_back(
-                {now.exists ? EventKind::forms : EventKind::breaks, now.frame, now.time_s, f0, f1});
-        else if (now.exists && (f0 > 0.0) != (f1 > 0.0))
-            events.push_back({EventKind::sign_change, now.frame,
-                              before.time_s + f0 / (f0 - f1) * (now.time_s - before.time_s), f0,
-                              f1});
+        const std::optional<EventKind> kind = event_between({before.exists, f0}, {now.exists, f1});
+        if (!kind) continue;
+        const double time_s = *kind == EventKind::sign_change
+                                  ? before.time_s + f0 / (f0 - f1) * (now.time_s - before.time_s)
+                                  : now.time_s;
+        events.push_back({*kind, now.frame, time_s, f0, f1});
     }
     return events;
 }

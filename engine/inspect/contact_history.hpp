@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,17 @@ class ContactHistorian {
 enum class EventKind { forms, breaks, sign_change };
 [[nodiscard]] std::string_view name_of(EventKind kind);  ///< "forms", "breaks", "sign change"
 
+/// A contact at one moment, as far as events are concerned: whether its area is above the scene's
+/// measures.touching_area, and the force by whose sign it pushes (> 0) or pulls (< 0).
+struct ForceOfContact {
+    bool exists = false;
+    double force_nN = 0.0;
+};
+/// What happened from one moment to the next; nullopt: nothing. All that is called an event of a
+/// contact asks this.
+[[nodiscard]] std::optional<EventKind> event_between(const ForceOfContact& before,
+                                                     const ForceOfContact& now);
+
 /// Something that happened to a contact between one frame and the next.
 struct ContactEvent {
     EventKind kind;
@@ -45,8 +57,9 @@ struct ContactEvent {
                     ///< between both frames, is zero
     double force_before_nN, force_after_nN;  ///< normal force in the frame before and in this one
 };
-/// Ascending. A contact that is there in the first frame has formed before the file begins: that
-/// is no event, and neither is what happens while beads are being packed.
+/// Ascending, by the sign of the normal force. A contact that is there in the first frame has
+/// formed before the file begins: that is no event, and neither is what happens while beads are
+/// being packed.
 [[nodiscard]] std::vector<ContactEvent> find_events(std::span<const ContactSummary> history);
 
 /// The first event after `frame`, the last one before it; nullptr if there is none.

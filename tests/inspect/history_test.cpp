@@ -20,6 +20,17 @@ ContactSummary moment(int frame, bool exists, double normal_force_nN) {
     return s;
 }
 
+TEST(ContactEvents, OfTwoMomentsAreThoseOfWhetherItIsThereAndOfTheSignOfItsForce) {
+    const ForceOfContact none{}, pushes{true, 2.0}, pulls{true, -1.0}, idle{true, 0.0};
+    EXPECT_EQ(event_between(none, pulls), EventKind::forms);
+    EXPECT_EQ(event_between(pushes, none), EventKind::breaks);
+    EXPECT_EQ(event_between(pulls, pushes), EventKind::sign_change);
+    EXPECT_EQ(event_between(pushes, idle), EventKind::sign_change);
+    EXPECT_FALSE(event_between(idle, pulls).has_value());  // it did not push before either
+    EXPECT_FALSE(event_between(none, none).has_value());
+    EXPECT_FALSE(event_between(pushes, pushes).has_value());
+}
+
 TEST(ContactEvents, AreFormingBreakingAndAChangeOfSign) {
     const std::vector<ContactSummary> history{
         moment(0, false, 0.0), moment(1, true, -2.0), moment(2, true, -1.0), moment(3, true, 3.0),

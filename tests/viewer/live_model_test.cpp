@@ -34,6 +34,9 @@ TEST(Events, AreContactsThatFormBreakOrChangeSign) {
     EXPECT_EQ(event(k_two, k_one), "t = 2 s: contact 0-1 begins to push, and 1 more");
     EXPECT_EQ(event({}, k_one), "t = 2 s: contact 0-1 forms");
     EXPECT_EQ(event(k_one, {}), "t = 2 s: contact 0-1 breaks");
+    // no force is no pushing, as in the history of a contact
+    EXPECT_EQ(event(k_one, {{0, 1, 0.0F, 10.0F}}), "t = 2 s: contact 0-1 begins to pull");
+    EXPECT_EQ(event({{0, 1, -1.0F, 10.0F}}, {{0, 1, 0.0F, 10.0F}}), "");
 }
 
 TEST(Events, OfOtherContactsThanTheWatchedOnesAreNone) {

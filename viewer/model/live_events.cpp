@@ -1,8 +1,11 @@
 #include "viewer/model/live_events.hpp"
 
+#include "engine/inspect/contact_history.hpp"
+
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,11 +21,22 @@ bool is_watched(const ContactLink& link, const Watched& watched) {
            (watched.other_cell < 0 || has(watched.other_cell));
 }
 
-std::map<Pair, float> forces_nN(const Snapshot& snapshot, const Watched& watched) {
-    std::map<Pair, float> forces;
+std::map<Pair, double> forces_nN(const Snapshot& snapshot, const Watched& watched) {
+    std::map<Pair, double> forces;
     for (const ContactLink& link : snapshot.links)
-        if (is_watched(link, watched)) forces[{link.cell_a, link.cell_b}] = link.force_nN;
+        if (is_watched(link, watched)) forces[{link.cell_a, link.cell_b}] = double{link.force_nN};
     return forces;
+}
+
+inspect::ForceOfContact contact_in(const std::map<Pair, double>& forces_nN, const Pair& pair) {
+    const auto found = forces_nN.find(pair);
+    if (found == forces_nN.end()) return {};
+    return {true, found->second};
+}
+
+std::string_view words_of(inspect::EventKind kind, double force_nN) {
+    if (kind != inspect::EventKind::sign_change) return inspect::name_of(kind);
+    return force_nN > 0.0 ? "begins to push" : "begins to pull";
 }
 
 }  // namespace
@@ -33,18 +47,17 @@ std::optional<std::string> event_between(const Snapshot& before, const Snapshot&
         return fmt::format("t = {:.4g} s: stage {}, {}, begins", now.time_s, now.stage,
                            now.stage_name);
     if (now.stage_name == "anneal") return {};
-    const std::map<Pair, float> earlier = forces_nN(before, watched);
-    const std::map<Pair, float> later = forces_nN(now, watched);
+    const std::map<Pair, double> earlier = forces_nN(before, watched);
+    const std::map<Pair, double> later = forces_nN(now, watched);
+    std::set<Pair> pairs;
+    for (const auto* forces : {&later, &earlier})
+        for (const auto& [pair, force_nN] : *forces) pairs.insert(pair);
     std::vector<std::pair<Pair, std::string_view>> events;
-    for (const auto& [pair, force_nN] : later) {
-        const auto found = earlier.find(pair);
-        if (found == earlier.end())
-            events.push_back({pair, "forms"});
-        else if ((found->second < 0.0F) != (force_nN < 0.0F))
-            events.push_back({pair, force_nN < 0.0F ? "begins to pull" : "begins to push"});
+    for (const Pair& pair : pairs) {
+        const inspect::ForceOfContact contact = contact_in(later, pair);
+        if (const auto kind = inspect::event_between(contact_in(earlier, pair), contact))
+            events.push_back({pair, words_of(*kind, contact.force_nN)});
     }
-    for (const auto& [pair, force_nN] : earlier)
-        if (!later.contains(pair)) events.push_back({pair, "breaks"});
     if (events.empty()) return {};
     const auto& [pair, what] = events.front();
     const std::string others =

@@ -13,8 +13,9 @@ struct Watched {
 };
 
 /// What happened between two states of a run, in words: a stage begins, a watched contact forms,
-/// breaks, or its force changes sign. Empty: nothing. The first contact is named, others are
-/// counted. While beads are being packed contacts mean nothing.
+/// breaks, or its force along the line of centres, which snapshots hold, changes sign. Empty:
+/// nothing. The first contact is named, others are counted. While beads are being packed contacts
+/// mean nothing.
 [[nodiscard]] std::optional<std::string> event_between(const Snapshot& before, const Snapshot& now,
                                                        const Watched& watched);
 

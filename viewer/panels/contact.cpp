@@ -37,6 +37,9 @@ void draw_events(PanelContext& panel) {
     }
     ImGui::TextDisabled("%s",
                         (counted(events.size(), "event") + "; a click leads to its frame").c_str());
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("it forms, breaks, or its normal force (along the contact's normal)\n"
+                          "changes sign from one frame to the next");
     for (const inspect::ContactEvent& event : events) {
         const bool is_shown = event.frame == panel.model.playback.frame();
         const std::string text =

@@ -64,8 +64,10 @@ void draw_live(PanelContext& panel) {
         ImGui::SameLine();
         if (ImGui::Button("to event")) panel.act(Action::until_event);
         if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("until a contact forms, breaks or changes its sign, or a stage "
-                              "begins;\nof the picked contact or cell, or of all");
+            ImGui::SetTooltip(
+                "until a contact forms, breaks, or its force along the line of centres "
+                "changes sign,\nor a stage begins; of the picked contact or cell, "
+                "or of all");
         ImGui::SameLine();
         if (ImGui::Button("newest")) panel.model.follow_engine();
     }
