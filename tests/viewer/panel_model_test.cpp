@@ -100,6 +100,22 @@ TEST(ADrag, EndsAtStraightDownAndGoesRoundSideways) {
     EXPECT_LE(std::abs(view.picture.azimuth_deg), 180.0);
 }
 
+TEST(AView, IsAnotherOneWithAnyOtherKeyOfItsPicture) {
+    const ViewSettings view{picture("main")};
+    const auto with = [&](const auto& change) {
+        ViewSettings other = view;
+        change(other.picture);
+        return other;
+    };
+    EXPECT_EQ(view, with([](scene::Picture&) {}));
+    EXPECT_NE(view, with([](scene::Picture& p) { p.name = "other"; }));
+    EXPECT_NE(view, with([](scene::Picture& p) { p.fps = 12.0; }));
+    EXPECT_NE(view, with([](scene::Picture& p) { p.shots = {"play to 2 s"}; }));
+    EXPECT_NE(view, with([](scene::Picture& p) { p.plot = "coordination_Z"; }));
+    EXPECT_NE(view, with([](scene::Picture& p) { p.stress_axes = true; }));
+    EXPECT_NE(view, with([](scene::Picture& p) { p.exploded = 0.5; }));
+}
+
 TEST(TheViewAsSceneText, IsReadBackAsTheSameView) {
     const std::string scene = "[cells]\narrangement = \"single\"\nradius = \"8 um\"\n"
                               "[cortex.tension]\ngamma = \"0.5 nN/um\"\n"
@@ -111,6 +127,8 @@ TEST(TheViewAsSceneText, IsReadBackAsTheSameView) {
     view.picture.cutaway = true;
     view.picture.azimuth_deg = -71.3;
     view.picture.smooth = false;
+    view.picture.exploded = 0.3;
+    view.picture.orbit_deg = 90.0;
     view.picture.plot = "coordination_Z";
     view.picture.shots = {"play to 2 s", "freeze 3 s, orbit 360 deg"};
     const scene::Scene read = scene::parse_scene(scene + view_text(view), "test");

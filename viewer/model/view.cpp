@@ -1,6 +1,7 @@
 #include "viewer/model/view.hpp"
 
 #include "engine/scene/key_text.hpp"
+#include "engine/scene/picture_fields.hpp"
 
 #include <fmt/format.h>
 
@@ -13,32 +14,20 @@ namespace spheroscope::viewer {
 bool operator==(const ViewSettings& a, const ViewSettings& b) {
     // Without a given range its two numbers mean nothing, but they come back with an undo.
     const scene::Picture &p = a.picture, &q = b.picture;
-    return p.name == q.name && p.field == q.field && p.size_px == q.size_px && p.range == q.range &&
-           p.given_range == q.given_range && p.cutaway == q.cutaway && p.network == q.network &&
-           p.stress_axes == q.stress_axes && p.exploded == q.exploded &&
-           p.azimuth_deg == q.azimuth_deg && p.elevation_deg == q.elevation_deg &&
-           p.orbit_deg == q.orbit_deg && p.fps == q.fps && p.smooth == q.smooth &&
-           p.plot == q.plot && p.shots == q.shots;
+    bool are_equal = p.name == q.name && p.fps == q.fps && p.shots == q.shots;
+    scene::visit_shown_of([&](const char*, const auto& of_p,
+                              const auto& of_q) { are_equal = are_equal && of_p == of_q; },
+                          p, q);
+    return are_equal;
 }
 
 std::string view_text(const ViewSettings& view) {
-    const scene::Picture& p = view.picture;
-    std::string text = fmt::format("[[picture]]\nname = {}\nfield = {}\nsize = [{}, {}]\n"
-                                   "range = \"{}\"\n",
-                                   scene::toml_string(p.name), scene::toml_string(p.field),
-                                   p.size_px[0], p.size_px[1], p.range);
-    if (p.range == "given")
-        text += fmt::format("given_range = [{}, {}]\n", p.given_range[0], p.given_range[1]);
-    text += fmt::format("cutaway = {}\nnetwork = {}\nazimuth = \"{} deg\"\nelevation = \"{} deg\"\n"
-                        "orbit = \"{} deg\"\nfps = {}\n",
-                        p.cutaway, p.network, p.azimuth_deg, p.elevation_deg, p.orbit_deg, p.fps);
-    if (p.stress_axes) text += "stress_axes = true\n";
-    if (p.exploded > 0.0) text += fmt::format("exploded = {}\n", p.exploded);
-    if (!p.smooth) text += "smooth = false\n";
-    if (!p.plot.empty()) text += fmt::format("plot = {}\n", scene::toml_string(p.plot));
-    for (std::size_t k = 0; k < p.shots.size(); ++k)
-        text += (k == 0 ? "shots = [" : ", ") + scene::toml_string(p.shots[k]);
-    if (!p.shots.empty()) text += "]\n";
+    scene::Draft draft;
+    draft.scene.pictures = {view.picture};
+    std::string text = "[[picture]]\n";
+    for (const scene::Key& key : scene::all_keys())
+        if (key.table == "picture" && (key.applies.holds == nullptr || key.applies.holds(draft, 0)))
+            text += fmt::format("{} = {}\n", key.name, scene::value_text(draft, key, 0));
     return text;
 }
 
