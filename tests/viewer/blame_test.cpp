@@ -9,11 +9,6 @@
 namespace spheroscope::viewer {
 namespace {
 
-const SeriesRow& row_of(std::string_view name) {
-    return *std::find_if(all_series().begin(), all_series().end(),
-                         [&](const SeriesRow& row) { return row.name == name; });
-}
-
 /// Two corners of a triangle fall together.
 void collapse(Snapshot& snapshot, int cell, int triangle) {
     const MeshTopology& mesh = *snapshot.header->topology;
@@ -27,7 +22,7 @@ void collapse(Snapshot& snapshot, int cell, int triangle) {
 TEST(Blame, OfAVolumeGoesToTheCellAndItsContact) {
     const auto snapshot = two_cells();
     snapshot->volume_um3[1] *= 1.1F;
-    const auto worst = blamed(row_of("volume error"), *snapshot);
+    const auto worst = blamed(row_of(Series::volume_error), *snapshot);
     ASSERT_TRUE(worst);
     EXPECT_EQ(worst->cell, 1);
     EXPECT_EQ(worst->other_cell, 0);
@@ -38,7 +33,7 @@ TEST(Blame, OfAVolumeGoesToTheCellAndItsContact) {
 TEST(Blame, OfATriangleGoesToTheTriangle) {
     const auto snapshot = two_cells();
     collapse(*snapshot, 0, 9);
-    const auto worst = blamed(row_of("smallest triangle"), *snapshot);
+    const auto worst = blamed(row_of(Series::smallest_triangle), *snapshot);
     ASSERT_TRUE(worst);
     EXPECT_EQ(worst->cell, 0);
     const MeshTopology& mesh = *snapshot->header->topology;
@@ -50,12 +45,12 @@ TEST(Blame, OfATriangleGoesToTheTriangle) {
 
 TEST(Blame, OfTheForceBalanceGoesToTheContactOfTheLargestForce) {
     const auto snapshot = two_cells();
-    const auto worst = blamed(row_of("force balance"), *snapshot);
+    const auto worst = blamed(row_of(Series::force_balance), *snapshot);
     ASSERT_TRUE(worst);
     EXPECT_EQ(worst->cell + worst->other_cell, 1);
     snapshot->links.clear();
-    EXPECT_FALSE(blamed(row_of("force balance"), *snapshot));
-    const auto alone = blamed(row_of("volume error"), *snapshot);  // a cell without contacts
+    EXPECT_FALSE(blamed(row_of(Series::force_balance), *snapshot));
+    const auto alone = blamed(row_of(Series::volume_error), *snapshot);  // a cell without contacts
     ASSERT_TRUE(alone);
     EXPECT_EQ(alone->other_cell, -1);
 }

@@ -147,8 +147,7 @@ TEST(ATypedTime, GoesThereOrSaysWhatItWants) {
 
 TEST(ARedMark, GoesToItsFrameAndPicksTheContactToBlameThere) {
     PanelModel model = model_of_100_frames();
-    const SeriesRow& volume_error = all_series()[1];
-    ASSERT_EQ(volume_error.name, "volume error");
+    const SeriesRow& volume_error = row_of(Series::volume_error);
     const auto before = two_cells(), there = two_cells();
     before->frame = 0;
     before->volume_um3[0] *= 1.1F;

@@ -10,12 +10,6 @@
 namespace spheroscope::viewer {
 namespace {
 
-const SeriesRow& row_of(std::string_view name) {
-    for (const SeriesRow& row : all_series())
-        if (row.name == name) return row;
-    throw std::out_of_range(std::string(name));
-}
-
 TEST(Health, MarksTheFramesThatAreBeyondALimit) {
     std::vector<FrameSummary> run(4);
     for (int i = 0; i < 4; ++i) {
@@ -24,8 +18,8 @@ TEST(Health, MarksTheFramesThatAreBeyondALimit) {
     }
     run[2].totals.smallest_triangle = 0.02;
     run[3].totals.smallest_triangle = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(bad_frames(row_of("smallest triangle"), run), std::vector<int>{2});
-    EXPECT_TRUE(bad_frames(row_of("Z"), run).empty());  // has no limit
+    EXPECT_EQ(bad_frames(row_of(Series::smallest_triangle), run), std::vector<int>{2});
+    EXPECT_TRUE(bad_frames(row_of(Series::coordination), run).empty());  // has no limit
 }
 
 TEST(Health, AWallThatPressesIsNoLackOfBalance) {
@@ -36,7 +30,7 @@ TEST(Health, AWallThatPressesIsNoLackOfBalance) {
     }
     run[0].diagnostics.wall_radius_um = 20.0;
     run[1].diagnostics.force_balance_nN = 1e-9;
-    EXPECT_EQ(bad_frames(row_of("force balance"), run), std::vector<int>{2});
+    EXPECT_EQ(bad_frames(row_of(Series::force_balance), run), std::vector<int>{2});
 }
 
 TEST(RadialStress, OfEqualCellsIsTheirValueEverywhere) {

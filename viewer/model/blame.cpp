@@ -66,13 +66,14 @@ const ContactLink* strongest_contact(const Snapshot& snapshot, int cell) {
 
 std::optional<Pick> blamed(const SeriesRow& row, const Snapshot& snapshot) {
     if (snapshot.header->n_cells == 0) return {};
-    const bool by_triangle = row.name == "smallest triangle" || row.name == "flipped triangles" ||
-                             row.name == "folded edges";
+    const bool by_triangle = row.series == Series::smallest_triangle ||
+                             row.series == Series::flipped_triangles ||
+                             row.series == Series::folded_edges;
     Pick found;
     if (by_triangle) {
         const TriangleOfCell at = smallest_triangle(snapshot);
         found = pick_triangle(snapshot, at.cell, at.triangle);
-    } else if (row.name == "volume error") {
+    } else if (row.series == Series::volume_error) {
         found = pick_triangle(snapshot, cell_of_worst_volume(snapshot), 0);
         found.other_cell = -1;  // that triangle is any
     }

@@ -1,5 +1,6 @@
 #include "viewer/model/series.hpp"
 
+#include "engine/base/error.hpp"
 #include "engine/base/index.hpp"
 #include "engine/base/random.hpp"
 
@@ -30,27 +31,31 @@ FrameSummary summary_of(const Snapshot& snapshot) {
 std::span<const SeriesRow> all_series() {
     using F = FrameSummary;
     static constexpr std::array<SeriesRow, 9> rows{{
-        {"Z", "", [](const F& f) { return f.totals.coordination_Z; }, k_none, -k_none, ""},
-        {"volume error", "", [](const F& f) { return f.totals.volume_error; }, 0.01, -k_none,
-         "a cell is more than 1 % away from its volume"},
-        {"smallest triangle", "of the mean", [](const F& f) { return f.totals.smallest_triangle; },
-         k_none, 0.1, "a triangle is nearly gone"},
-        {"flipped triangles", "",
+        {Series::coordination, "Z", "", [](const F& f) { return f.totals.coordination_Z; }, k_none,
+         -k_none, ""},
+        {Series::volume_error, "volume error", "", [](const F& f) { return f.totals.volume_error; },
+         0.01, -k_none, "a cell is more than 1 % away from its volume"},
+        {Series::smallest_triangle, "smallest triangle", "of the mean",
+         [](const F& f) { return f.totals.smallest_triangle; }, k_none, 0.1,
+         "a triangle is nearly gone"},
+        {Series::flipped_triangles, "flipped triangles", "",
          [](const F& f) { return static_cast<double>(f.totals.n_flipped_triangles); }, 0.0, -k_none,
          "a triangle faces inward"},
-        {"folded edges", "", [](const F& f) { return static_cast<double>(f.totals.n_folds); }, 0.0,
-         -k_none, "an edge is folded over"},
-        {"force balance", "nN",
+        {Series::folded_edges, "folded edges", "",
+         [](const F& f) { return static_cast<double>(f.totals.n_folds); }, 0.0, -k_none,
+         "an edge is folded over"},
+        {Series::force_balance, "force balance", "nN",
          [](const F& f) {
              // The wall is no part of the aggregate: while it presses, the sum is its own.
              return f.diagnostics.wall_radius_um > 0.0 ? std::numeric_limits<double>::quiet_NaN()
                                                        : f.diagnostics.force_balance_nN;
          },
          0.01, -k_none, "forces do not add up to nothing: a pull from outside, or an error"},
-        {"residual force", "nN", [](const F& f) { return f.diagnostics.force_residual_nN; }, k_none,
+        {Series::residual_force, "residual force", "nN",
+         [](const F& f) { return f.diagnostics.force_residual_nN; }, k_none, -k_none, ""},
+        {Series::time_step, "time step", "s", [](const F& f) { return f.diagnostics.dt_s; }, k_none,
          -k_none, ""},
-        {"time step", "s", [](const F& f) { return f.diagnostics.dt_s; }, k_none, -k_none, ""},
-        {"iterations per step", "",
+        {Series::iterations_per_step, "iterations per step", "",
          [](const F& f) {
              return f.diagnostics.steps == 0
                         ? std::numeric_limits<double>::quiet_NaN()
@@ -60,6 +65,12 @@ std::span<const SeriesRow> all_series() {
          k_none, -k_none, ""},
     }};
     return rows;
+}
+
+const SeriesRow& row_of(Series series) {
+    const SeriesRow& row = all_series()[static_cast<std::size_t>(series)];
+    SPHEROSCOPE_ASSERT(row.series == series, "rows are in the order of the enumeration");
+    return row;
 }
 
 bool is_bad(const SeriesRow& row, double value) {

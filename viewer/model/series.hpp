@@ -24,15 +24,30 @@ struct FrameSummary {
     return stage_name != "anneal";
 }
 
+/// What is followed over time, in the order of the table of its rows.
+enum class Series {
+    coordination,
+    volume_error,
+    smallest_triangle,
+    flipped_triangles,
+    folded_edges,
+    force_balance,
+    residual_force,
+    time_step,
+    iterations_per_step,
+};
+
 /// A number of the whole aggregate over time: a row of the table of plots, and of the health strip
 /// where it has a limit.
 struct SeriesRow {
+    Series series;
     std::string_view name, unit;
     double (*value)(const FrameSummary&);  ///< in `unit`; NaN: undefined
     double largest, smallest;              ///< healthy between these; infinite: no limit
     std::string_view meaning;              ///< why a value beyond is bad; "" without limits
 };
 [[nodiscard]] std::span<const SeriesRow> all_series();
+[[nodiscard]] const SeriesRow& row_of(Series series);
 
 /// Whether a value is beyond the row's limits. Undefined values are not.
 [[nodiscard]] bool is_bad(const SeriesRow& row, double value);
