@@ -46,20 +46,26 @@ bool encloses(const MeshTopology& mesh, std::span<const Vec3> x_um, const Vec3& 
 
 }  // namespace
 
-Probes random_probes(const Aggregate& aggregate, std::uint64_t seed, int n_inside) {
+std::vector<Vec3> random_points_um(const Aggregate& aggregate, std::uint64_t seed, int n_inside) {
     const Random random(seed, static_cast<std::uint32_t>(RandomStream::probe));
     const int n = static_cast<int>(std::lround(n_inside * std::pow(k_probe_reach, 3)));
-    Probes probes;
-    probes.at_um.reserve(idx(n));
+    std::vector<Vec3> at_um;
+    at_um.reserve(idx(n));
     for (int i = 0; i < n; ++i) {
         const auto number = static_cast<std::uint64_t>(i);
         const double r = aggregate.R_th_um * k_probe_reach * std::cbrt(random.uniform(number, 0));
         const double z = 2.0 * random.uniform(number, 1) - 1.0;
         const double angle = 2.0 * std::numbers::pi * random.uniform(number, 2);
         const double across = std::sqrt(1.0 - z * z);
-        probes.at_um.emplace_back(aggregate.middle_um +
-                                  r * Vec3(across * std::cos(angle), across * std::sin(angle), z));
+        at_um.emplace_back(aggregate.middle_um +
+                           r * Vec3(across * std::cos(angle), across * std::sin(angle), z));
     }
+    return at_um;
+}
+
+Probes random_probes(const Aggregate& aggregate, std::uint64_t seed, int n_inside) {
+    Probes probes;
+    probes.at_um = random_points_um(aggregate, seed, n_inside);
     probes.cell = cells_around(aggregate, probes.at_um);
     return probes;
 }

@@ -19,8 +19,11 @@ inline constexpr int k_probes_inside = 10000;
 /// How far probes reach, in R_th: loose aggregates are larger than the sphere of their volume.
 inline constexpr double k_probe_reach = 1.2;
 
-/// Random probes, uniform in the ball of k_probe_reach R_th about the middle, so many that
-/// n_inside of them are expected within R_th.
+/// Random points, uniform in the ball of k_probe_reach R_th about the middle, so many that n_inside
+/// of them are expected within R_th.
+[[nodiscard]] std::vector<Vec3> random_points_um(const Aggregate& aggregate, std::uint64_t seed,
+                                                 int n_inside = k_probes_inside);
+/// The same, and the cells that they are in.
 [[nodiscard]] Probes random_probes(const Aggregate& aggregate, std::uint64_t seed,
                                    int n_inside = k_probes_inside);
 
@@ -43,7 +46,7 @@ struct ProbeSample {
 };
 
 /// The values of cells as the probes see them. A probe beyond R_th counts only inside a cell:
-/// farther out there is no tissue.
+/// farther out there is no tissue. Of those within R_th nobody asks which cell they are in.
 [[nodiscard]] std::vector<ProbeSample> sample_cells(const Aggregate& aggregate,
                                                     const Probes& probes,
                                                     std::span<const double> cell_values,

@@ -49,7 +49,7 @@ const std::map<std::string, std::set<std::string>>& allowed_folders() {
         {"render",
          {"base", "model", "scene", "measures", "run", "store", "reports", "inspect", "statistics",
           "cli"}},
-        {"viewer/model", {"base", "model", "scene", "measures", "run", "inspect"}},
+        {"viewer/model", {"base", "model", "scene", "measures", "run", "inspect", "statistics"}},
         {"viewer", {"base", "model", "scene", "measures", "run", "inspect", "store", "cli"}},
     };
     return table;

@@ -2,20 +2,18 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/index.hpp"
-#include "engine/base/random.hpp"
+#include "engine/statistics/contact_forces.hpp"
+#include "engine/statistics/histogram.hpp"
+#include "engine/statistics/radial_profile.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace spheroscope::viewer {
 namespace {
 
 constexpr double k_none = std::numeric_limits<double>::infinity();
-constexpr std::size_t k_n_bins = 10;
-constexpr int k_n_probes = 10000;
 
 Vec3 point(const std::vector<float>& values, std::size_t i) {
     return {double{values[3 * i]}, double{values[3 * i + 1]}, double{values[3 * i + 2]}};
@@ -90,83 +88,47 @@ Curve radial_stress(const Snapshot& snapshot) {
                                   [](const Field* field) { return field->name == "sigma_h"; });
     if (row == header.fields.end() || snapshot.links.empty() || !has_mechanics(snapshot.stage_name))
         return {};
-    const Field& field = **row;
     const std::vector<float>& values =
         snapshot.fields[static_cast<std::size_t>(row - header.fields.begin())];
 
-    Vec3 middle = Vec3::Zero();
-    double volume_um3 = 0.0;
+    statistics::Aggregate aggregate;
     for (int c = 0; c < header.n_cells; ++c) {
-        middle += double{snapshot.volume_um3[idx(c)]} * point(snapshot.centre_um, idx(c));
-        volume_um3 += double{snapshot.volume_um3[idx(c)]};
+        aggregate.centre_um.push_back(point(snapshot.centre_um, idx(c)));
+        aggregate.volume_um3.push_back(double{snapshot.volume_um3[idx(c)]});
+        aggregate.radius_um.push_back(double{header.radius_um[idx(c)]});
+        aggregate.sigma_h_kPa.push_back(double{values[idx(c)]});
     }
-    middle /= volume_um3;
-    const double R_th_um = std::cbrt(3.0 * volume_um3 / (4.0 * std::numbers::pi));
-
-    std::array<double, k_n_bins> sum{};
-    std::array<int, k_n_bins> count{};
-    const Random random(1, static_cast<std::uint32_t>(RandomStream::probe));
-    for (int probe = 0; probe < k_n_probes; ++probe) {
-        const auto at = static_cast<std::uint64_t>(probe);
-        const double r = std::cbrt(random.uniform(at, 0));  // in R_th; uniform in the ball
-        const double cosine = 2.0 * random.uniform(at, 1) - 1.0;
-        const double sine = std::sqrt(1.0 - cosine * cosine);
-        const double turn = 2.0 * std::numbers::pi * random.uniform(at, 2);
-        const Vec3 x =
-            middle + r * R_th_um * Vec3(sine * std::cos(turn), sine * std::sin(turn), cosine);
-        int nearest = 0;
-        double distance2 = k_none;
-        for (int c = 0; c < header.n_cells; ++c) {
-            const double d2 = (point(snapshot.centre_um, idx(c)) - x).squaredNorm();
-            if (d2 < distance2) {
-                distance2 = d2;
-                nearest = c;
-            }
-        }
-        const auto bin = std::min(static_cast<std::size_t>(r * k_n_bins), k_n_bins - 1);
-        sum[bin] += double{values[idx(nearest)]} * field.shown_per_stored;
-        ++count[bin];
-    }
+    statistics::finish_aggregate(aggregate);
+    // Which cell a probe is in would take too long for a picture, and beyond R_th alone it matters.
+    statistics::Probes probes;
+    for (const Vec3& at_um : statistics::random_points_um(aggregate, header.seed))
+        if ((at_um - aggregate.middle_um).norm() <= aggregate.R_th_um)
+            probes.at_um.push_back(at_um);
+    const std::vector<std::vector<statistics::ProbeSample>> run{statistics::sample_cells(
+        aggregate, probes, aggregate.sigma_h_kPa, statistics::Interpolation::nearest_cell)};
     Curve curve;
-    for (std::size_t bin = 0; bin < k_n_bins; ++bin) {
-        if (count[bin] == 0) continue;
-        curve.x.push_back((static_cast<float>(bin) + 0.5F) / k_n_bins);
-        curve.y.push_back(static_cast<float>(sum[bin] / count[bin]));
+    for (const statistics::ProfilePoint& bin : statistics::pooled_profile(run)) {
+        curve.x.push_back(static_cast<float>(bin.r));
+        curve.y.push_back(static_cast<float>(bin.mean * (*row)->shown_per_stored));
     }
     return curve;
 }
 
 Curve force_distribution(const Snapshot& snapshot) {
     if (!has_mechanics(snapshot.stage_name)) return {};
-    std::vector<double> f;
-    double sum = 0.0;
+    std::vector<PairForce> pairs;
     for (const ContactLink& link : snapshot.links)
-        if (link.force_nN > 0.0F) {
-            f.push_back(double{link.force_nN});
-            sum += f.back();
-        }
-    if (f.size() < 3) return {};
-    const double n = static_cast<double>(f.size());
-    double m2 = 0.0, m3 = 0.0, largest = 0.0;
-    for (double& value : f) {
-        value /= sum / n;
-        m2 += (value - 1.0) * (value - 1.0) / n;
-        m3 += (value - 1.0) * (value - 1.0) * (value - 1.0) / n;
-        largest = std::max(largest, value);
-    }
-    const double skewness = m2 > 0.0 ? m3 / (m2 * std::sqrt(m2)) : 0.0;
-    const double spread = std::sqrt(6.0 * (n - 2.0) / ((n + 1.0) * (n + 3.0)));
-    const double bins = 1.0 + std::log2(n) + std::log2(1.0 + std::abs(skewness) / spread);
-    const auto n_bins = static_cast<std::size_t>(std::ceil(bins));
-    const double width = largest / static_cast<double>(n_bins);
+        pairs.push_back({link.cell_a, link.cell_b, double{link.force_nN}, double{link.area_um2}});
+    // Links are the contacts that touch: their area is above the scene's touching_area already.
+    const statistics::ContactForces forces =
+        statistics::contact_forces(pairs, 0.0, statistics::ForceNorm::all);
+    if (forces.f.size() < 3 || !(forces.mean_nN > 0.0)) return {};
+    const statistics::Histogram histogram = statistics::doane_histogram(forces.f);
     Curve curve;
-    for (std::size_t bin = 0; bin < n_bins; ++bin) {
-        curve.x.push_back(static_cast<float>((static_cast<double>(bin) + 0.5) * width));
-        curve.y.push_back(0.0F);
+    for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+        curve.x.push_back(static_cast<float>(histogram.middle(bin)));
+        curve.y.push_back(static_cast<float>(histogram.density(bin)));
     }
-    for (const double value : f)
-        curve.y[std::min(static_cast<std::size_t>(value / width), n_bins - 1)] +=
-            static_cast<float>(1.0 / (n * width));
     return curve;
 }
 

@@ -59,14 +59,13 @@ struct Curve {
     std::vector<float> x, y;
 };
 
-/// sigma_h over the distance from the middle of the aggregate in R_th: means over 10 000 points
-/// that are spread at random in the ball of radius R_th, each with the value of the cell whose
-/// centre is nearest, in ten bins (Cuvelier et al. 2021, section 2; the number of bins is chosen
-/// here). Pa. Empty without contacts, and while beads are being seeded.
+/// sigma_h over the distance from the middle of the aggregate in R_th, Pa: the profile of figures
+/// (engine/statistics, values of the nearest cell) of this frame, as far as R_th. Empty without
+/// contacts, and while beads are being seeded.
 [[nodiscard]] Curve radial_stress(const Snapshot& snapshot);
 
-/// Distribution of f = F / <F> over the compressive contacts, as a density, in Doane's bins (Doane
-/// 1976). Empty with fewer than three, and while beads are being seeded.
+/// Distribution of f = |F| / <|F|> over the contacts, as a density in Doane's bins, as figures have
+/// it. Empty with fewer than three contacts, and while beads are being seeded.
 [[nodiscard]] Curve force_distribution(const Snapshot& snapshot);
 
 }  // namespace spheroscope::viewer

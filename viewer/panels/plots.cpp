@@ -29,7 +29,7 @@ Plot over_time(const PanelContext& panel, Series series) {
 void draw_plots(PanelContext& panel) {
     std::array<Plot, 6> plots{
         Plot{"σ^h, Pa", "over r / R_th", PlotKind::steps, panel.radial_stress},
-        Plot{"P(f)", "over f = F / <F>", PlotKind::bars, panel.force_distribution},
+        Plot{"P(f)", "over f = |F| / <|F|>", PlotKind::bars, panel.force_distribution},
         over_time(panel, Series::coordination),
         over_time(panel, Series::volume_error),
         over_time(panel, Series::time_step),
