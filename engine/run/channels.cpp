@@ -16,7 +16,7 @@ namespace spheroscope {
 //               |                     |
 //   frames:     [ . . . . . . . . . . ]        a frame leaves when all active readers have seen it
 //                     ^         ^
-//               movie n_seen   store n_seen
+//                slow n_seen   fast n_seen
 struct FrameQueue::Shared {
     struct ReaderState {
         std::string name;
@@ -133,24 +133,6 @@ void FrameQueue::close() {
 std::optional<std::string> FrameQueue::failure() const {
     const std::lock_guard lock(shared_->mutex);
     return shared_->reason;
-}
-
-struct LatestSlot::Slot {
-    std::mutex mutex;
-    SnapshotPtr newest;
-};
-
-LatestSlot::LatestSlot() : slot_(std::make_unique<Slot>()) {}
-LatestSlot::~LatestSlot() = default;
-
-void LatestSlot::put(SnapshotPtr frame) {
-    const std::lock_guard lock(slot_->mutex);
-    slot_->newest.swap(frame);  // the old frame is freed by the argument, after the mutex
-}
-
-SnapshotPtr LatestSlot::take() {
-    const std::lock_guard lock(slot_->mutex);
-    return std::exchange(slot_->newest, nullptr);
 }
 
 }  // namespace spheroscope

@@ -6,16 +6,18 @@
 #include <optional>
 #include <string>
 
-// How frames leave the engine's thread. A frame is an immutable Snapshot, so only a pointer changes
-// hands, under a mutex that is held for one pointer move.
+// How frames leave the engine's thread for a file. A frame is an immutable Snapshot, so only a
+// pointer changes hands, under a mutex that is held for one pointer move.
 //
-//   engine --push--> FrameQueue --next--> store    every frame, in order; the engine waits
-//                               --next--> movie    for the slowest reader, nothing is dropped
-//   engine --put---> LatestSlot --take--> panel    newest wins; the engine never waits
+//   engine --push--> FrameQueue --next--> store    every frame, in order; the engine waits for the
+//                                                  slowest reader, nothing is dropped
 //
-// Why a bounded queue: a movie frame may take longer than the steps before it, and an unbounded
-// queue would then keep the whole run in memory. Why a reader's failure stops the producer: a run
-// whose file or movie has a hole is worth less than one that ends with a reason.
+// Movies are drawn from what is stored, since one range of colours needs the whole run. Whoever
+// watches a run gets its frames, and states between them, by LiveControl (live_control.hpp).
+//
+// Why a bounded queue: a disk may take longer for a frame than the engine for the steps before it,
+// and an unbounded queue would then keep the whole run in memory. Why a reader's failure stops the
+// producer: a run whose file has a hole is worth less than one that ends with a reason.
 namespace spheroscope {
 
 /// One producer, any number of readers; each reader sees every frame in the order of push().
@@ -52,7 +54,7 @@ class FrameQueue {
     FrameQueue(const FrameQueue&) = delete;
     FrameQueue& operator=(const FrameQueue&) = delete;
 
-    /// `name` is for messages ("store", "movie"). Precondition: nothing was pushed yet, so that
+    /// `name` is for messages ("store"). Precondition: nothing was pushed yet, so that
     /// every reader sees every frame.
     [[nodiscard]] Reader add_reader(const std::string& name);
 
@@ -70,24 +72,6 @@ class FrameQueue {
 
   private:
     std::shared_ptr<Shared> shared_;
-};
-
-/// Holds the newest frame only. put() never waits for a reader.
-class LatestSlot {
-  public:
-    LatestSlot();
-    ~LatestSlot();
-    LatestSlot(const LatestSlot&) = delete;
-    LatestSlot& operator=(const LatestSlot&) = delete;
-
-    /// Replaces a frame that nobody took.
-    void put(SnapshotPtr frame);
-    /// The newest frame, once: nullptr if none came since the last take().
-    [[nodiscard]] SnapshotPtr take();
-
-  private:
-    struct Slot;
-    std::unique_ptr<Slot> slot_;
 };
 
 }  // namespace spheroscope

@@ -165,32 +165,5 @@ TEST(FrameQueue, ReadersEndWhenTheQueueIsDestroyed) {
     EXPECT_EQ(seen, count_to(1));
 }
 
-TEST(LatestSlot, TheNewestFrameWins) {
-    LatestSlot slot;
-    EXPECT_EQ(slot.take(), nullptr);
-    for (int n = 0; n < 5; ++n) slot.put(numbered_frame(n));
-    EXPECT_EQ(slot.take()->frame, 4);
-    EXPECT_EQ(slot.take(), nullptr);
-}
-
-TEST(LatestSlot, AReaderBesideABusyProducerSeesFramesInOrderAndTheLastOne) {
-    constexpr int k_frames = 5000;
-    LatestSlot slot;
-    std::thread producer([&] {
-        for (int n = 0; n < k_frames; ++n) slot.put(numbered_frame(n));
-    });
-    int newest = -1;
-    while (newest < k_frames - 1) {
-        if (const SnapshotPtr frame = slot.take()) {
-            ASSERT_GT(frame->frame, newest);
-            newest = frame->frame;
-        } else {
-            std::this_thread::yield();
-        }
-    }
-    producer.join();
-    EXPECT_EQ(slot.take(), nullptr);
-}
-
 }  // namespace
 }  // namespace spheroscope
