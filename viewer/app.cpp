@@ -15,6 +15,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -281,11 +282,9 @@ void App::take_engines_news() {
     const KeptLooks& looks = live_->looks();
     model_.live->n_looks = looks.size();
     if (looks.size() > 0) model_.live->oldest_look_s = looks.back(looks.size() - 1)->time_s;
-    const std::string message = live_->channel().take_message();
-    if (!message.empty()) {
-        model_.message = message;
-        cli::log_info(message);
-    }
+    const std::vector<std::string> messages = live_->channel().take_messages();
+    for (const std::string& message : messages) cli::log_info(message);
+    if (!messages.empty()) model_.message = fmt::format("{}", fmt::join(messages, "\n"));
     if (const SnapshotPtr look = live_->newest_look();
         look != nullptr && !engine_runs() && look->diagnostics.steps != logged_step_) {
         logged_step_ = look->diagnostics.steps;

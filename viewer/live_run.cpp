@@ -24,11 +24,10 @@ LiveRun::LiveRun(const scene::Scene& scene, const cli::RunPlace& place,
             trouble_ = std::current_exception();
         }
         is_over_.store(true);
+        channel_.end();
         on_news();
     });
-    while (!channel_.header() && !is_over_.load())
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    header_ = channel_.header();
+    header_ = channel_.wait_for_header();
     if (!header_) {
         thread_.join();
         std::rethrow_exception(trouble_);  // a run that is not resumed begins, or says why not

@@ -141,7 +141,18 @@ TEST(Frames, AllArriveAndLooksOnlyTheNewest) {
     const int n = steps_at_rest(engine);
     EXPECT_EQ(static_cast<int>(channel.take_frames().size()), n / 10);
     EXPECT_TRUE(channel.take_frames().empty());
-    EXPECT_NE(channel.header(), nullptr);
+    EXPECT_NE(channel.wait_for_header(), nullptr);
+}
+
+TEST(WaitingForTheBegin, EndsWhenTheEngineBeginsOrEndsWithout) {
+    LiveChannel channel([] {});
+    std::thread engine([&] { channel.begin(two_cells()->header); });
+    EXPECT_NE(channel.wait_for_header(), nullptr);
+    engine.join();
+    LiveChannel without([] {});
+    std::thread failed([&] { without.end(); });
+    EXPECT_EQ(without.wait_for_header(), nullptr);
+    failed.join();
 }
 
 }  // namespace

@@ -64,11 +64,24 @@ TEST(RunningUntilAnEvent, PausesTheEngineThereAndSaysWhy) {
     }
     channel.look(state(0.5, k_two));
     EXPECT_TRUE(channel.is_paused());
-    EXPECT_EQ(channel.take_message(), "t = 0.5 s: contact 0-1 begins to pull, and 1 more");
-    EXPECT_EQ(channel.take_message(), "");
+    EXPECT_EQ(channel.take_messages(),
+              std::vector<std::string>{"t = 0.5 s: contact 0-1 begins to pull, and 1 more"});
+    EXPECT_TRUE(channel.take_messages().empty());
     channel.play();
     channel.look(state(0.6, k_one));
     EXPECT_FALSE(channel.is_paused()) << "one event was asked for";
+}
+
+TEST(ARefusal, IsNotLostWhenAnEventFollowsBeforeAnybodyLooks) {
+    LiveChannel channel([] {});
+    channel.run_until_event({});
+    channel.look(state(0.1, k_one));
+    channel.refused({0.0, "cortex.tension.gamma", {-1.0}}, "gamma must be > 0");
+    channel.look(state(0.2, k_two));
+    const std::vector<std::string> messages = channel.take_messages();
+    ASSERT_EQ(messages.size(), 2U);
+    EXPECT_EQ(messages[0], "gamma must be > 0");
+    EXPECT_NE(messages[1].find("begins to pull"), std::string::npos);
 }
 
 TEST(Orders, OfTheSameKeyReplaceEachOtherUntilTheyAreTaken) {

@@ -76,8 +76,9 @@ bool LiveChannel::is_paused() {
     return is_paused_;
 }
 
-std::shared_ptr<const RunHeader> LiveChannel::header() {
-    const std::lock_guard lock(mutex_);
+std::shared_ptr<const RunHeader> LiveChannel::wait_for_header() {
+    std::unique_lock lock(mutex_);
+    woken_.wait(lock, [&] { return header_ != nullptr || has_ended_; });
     return header_;
 }
 
@@ -101,9 +102,9 @@ std::vector<Change> LiveChannel::changes() {
     return changes_;
 }
 
-std::string LiveChannel::take_message() {
+std::vector<std::string> LiveChannel::take_messages() {
     const std::lock_guard lock(mutex_);
-    return std::exchange(message_, "");
+    return std::exchange(messages_, {});
 }
 
 Pace LiveChannel::pace() {
@@ -114,6 +115,13 @@ Pace LiveChannel::pace() {
 void LiveChannel::begin(std::shared_ptr<const RunHeader> header) {
     const std::lock_guard lock(mutex_);
     header_ = std::move(header);
+    woken_.notify_all();
+}
+
+void LiveChannel::end() {
+    const std::lock_guard lock(mutex_);
+    has_ended_ = true;
+    woken_.notify_all();
 }
 
 void LiveChannel::frame(SnapshotPtr frame) {
@@ -154,7 +162,7 @@ void LiveChannel::anatomy(std::shared_ptr<const StepAnatomy> answer) {
 void LiveChannel::refused_question(const std::string& reason) {
     {
         const std::lock_guard lock(mutex_);
-        message_ = reason;
+        messages_.push_back(reason);
     }
     on_news_();
 }
@@ -172,7 +180,7 @@ void LiveChannel::see(const SnapshotPtr& now) {
         if (std::optional<std::string> event = event_between(*seen_, *now, watched_)) {
             is_paused_ = true;
             seeks_event_ = false;
-            message_ = std::move(*event);
+            messages_.push_back(std::move(*event));
         }
     }
     seen_ = now;

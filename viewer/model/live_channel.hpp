@@ -14,7 +14,7 @@
 namespace spheroscope::viewer {
 
 /// Between a panel and an engine that runs: frames, looks and what became of orders one way, orders
-/// the other. The panel never waits; the engine waits only in a pause.
+/// the other. The panel waits for the begin alone; the engine waits only in a pause.
 class LiveChannel final : public LiveControl {
   public:
     /// `on_news` is called in the engine's thread.
@@ -37,20 +37,23 @@ class LiveChannel final : public LiveControl {
     /// A pause, in which the engine says what its next step would go through (take_anatomy).
     void look_into_step(std::optional<NodeOfCell> node);
     [[nodiscard]] bool is_paused();
-    /// What the engine is about: nullptr before it has begun.
-    [[nodiscard]] std::shared_ptr<const RunHeader> header();
+    /// Waits until the engine has begun and says what it is about, or has ended without: nullptr.
+    [[nodiscard]] std::shared_ptr<const RunHeader> wait_for_header();
     [[nodiscard]] std::vector<SnapshotPtr> take_frames();
     /// The newest look, once.
     [[nodiscard]] SnapshotPtr take_look();
     /// The answer to look_into_step, once; nullptr: none yet.
     [[nodiscard]] std::shared_ptr<const StepAnatomy> take_anatomy();
     [[nodiscard]] std::vector<Change> changes();
-    /// Why the last order was refused, or which event has brought a pause, once; else "".
-    [[nodiscard]] std::string take_message();
+    /// Why orders were refused, and which events have brought a pause: what was not taken yet, in
+    /// order.
+    [[nodiscard]] std::vector<std::string> take_messages();
     [[nodiscard]] Pace pace();
 
     // The engine's side.
     void begin(std::shared_ptr<const RunHeader> header) override;
+    /// Nothing will come any more.
+    void end();
     void frame(SnapshotPtr frame) override;
     [[nodiscard]] bool go_on(const std::atomic<bool>& stop) override;
     [[nodiscard]] std::optional<Question> take_question() override;
@@ -70,7 +73,7 @@ class LiveChannel final : public LiveControl {
     std::mutex mutex_;
     std::condition_variable woken_;
     // guarded by mutex_
-    bool is_paused_ = false, is_held_ = false, is_stopped_ = false;
+    bool is_paused_ = false, is_held_ = false, is_stopped_ = false, has_ended_ = false;
     int steps_left_ = 0;  // in a pause
     bool seeks_event_ = false;
     Watched watched_;
@@ -82,7 +85,7 @@ class LiveChannel final : public LiveControl {
     std::optional<Question> question_;
     std::shared_ptr<const StepAnatomy> anatomy_;
     std::vector<Change> ordered_, changes_;
-    std::string message_;
+    std::vector<std::string> messages_;
     Pace pace_;
 };
 
