@@ -2,11 +2,11 @@
 
 #include "engine/base/error.hpp"
 #include "engine/cli/log.hpp"
+#include "engine/scene/time_text.hpp"
 #include "engine/scene/units.hpp"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 namespace spheroscope::cli {
@@ -16,10 +16,7 @@ namespace {
 constexpr double k_resolution_s = 1e-6;
 
 double time_s(const std::string& text) {
-    double value = 0.0;
-    const auto plain = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (plain.ec == std::errc() && plain.ptr == text.data() + text.size()) return value;
-    const scene::Quantity time = scene::parse_quantity(text, scene::Dimension::time);
+    const scene::Quantity time = scene::parse_time(text);
     if (!time.ok())
         throw Error(fmt::format("--time wants a time, got \"{}\" {}", text, time.problem),
                     "for instance --time 3.2 or --time '3.2 s'");

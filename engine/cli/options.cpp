@@ -2,7 +2,7 @@
 
 #include "engine/cli/seeds.hpp"
 #include "engine/contact/simd_target.hpp"
-#include "engine/scene/units.hpp"
+#include "engine/scene/time_text.hpp"
 
 #include <fmt/format.h>
 
@@ -82,12 +82,7 @@ void add_common_option(CommandLine& command, CommonOptions& options, CommonOptio
 std::optional<double> positive_time_s(const std::string& option, const std::string& text,
                                       const std::string& example) {
     if (text.empty()) return std::nullopt;
-    const scene::Quantity time = scene::parse_quantity(text, scene::Dimension::time);
-    if (!time.ok() || !(time.value > 0.0))
-        throw Error(
-            fmt::format("{} wants a time above zero, got \"{}\" {}", option, text, time.problem),
-            fmt::format("for instance {} '{}'", option, example));
-    return time.value;
+    return scene::parse_span_s(option, text, example);
 }
 
 }  // namespace

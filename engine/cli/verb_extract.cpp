@@ -6,7 +6,7 @@
 #include "engine/cli/options.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/inspect/extract.hpp"
-#include "engine/scene/units.hpp"
+#include "engine/scene/time_text.hpp"
 #include "engine/store/held_load_file.hpp"
 
 #include <fmt/format.h>
@@ -35,12 +35,7 @@ ExitCode extract(const ExtractArguments& arguments) {
         throw Error("extract wants the contact that is taken out",
                     "name it with --contact 17-42; `inspect` lists them");
     const inspect::ContactKey key = inspect::parse_contact(arguments.contact);
-    const scene::Quantity duration =
-        scene::parse_quantity(arguments.duration, scene::Dimension::time);
-    if (!duration.ok() || !(duration.value > 0.0))
-        throw Error(fmt::format("--duration wants a time above zero, got \"{}\" {}",
-                                arguments.duration, duration.problem),
-                    "for instance --duration '2 s'");
+    const double duration_s = scene::parse_span_s("--duration", arguments.duration, "2 s");
     const fs::path scene_path = arguments.common.output.empty()
                                     ? fs::path("contact_" + key.text() + ".toml")
                                     : fs::path(arguments.common.output);
@@ -57,7 +52,7 @@ ExitCode extract(const ExtractArguments& arguments) {
     inspect::FrameSystem whole(reader.header(), {}, inspect::FrameSystem::Detail::forces);
     whole.load(frame);
     const inspect::ExtractedPair pair =
-        inspect::extract_pair(whole, key, run_path.filename().string(), duration.value);
+        inspect::extract_pair(whole, key, run_path.filename().string(), duration_s);
     {
         RunFileWriter writer = RunFileWriter::create(run_path.string(), *pair.header,
                                                      RunFileWriter::Existing::replace);

@@ -1,6 +1,7 @@
 #include "viewer/model/playback.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/scene/time_text.hpp"
 #include "engine/scene/units.hpp"
 
 #include <algorithm>
@@ -52,10 +53,8 @@ void Playback::advance(double wall_s, double frames_per_s) {
 }
 
 double parse_time_s(const std::string& text) {
-    const scene::Quantity time = scene::parse_quantity(text, scene::Dimension::time);
+    const scene::Quantity time = scene::parse_time(text);
     if (time.ok()) return time.value;
-    const scene::Quantity seconds = scene::parse_quantity(text, scene::Dimension::number);
-    if (seconds.ok()) return seconds.value;
     throw Error("wanted a time such as 12.5 s or 2 min, got \"" + text + "\"");
 }
 
