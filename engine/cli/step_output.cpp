@@ -12,14 +12,12 @@ namespace {
 
 using reports::ReportTable;
 
-std::string place(const NodeOfCell& at) { return fmt::format("{}:{}", at.cell, at.node); }
-
 std::string text_of(const StepAnatomy& anatomy, const StepAnatomy::Evaluation& evaluation) {
     ReportTable table{
         {{"term"}, {"before_nN"}, {"term_nN"}, {"after_nN"}, {"largest_nN"}, {"on_node"}}, {}};
     for (const StepAnatomy::Term& term : evaluation.terms)
         table.rows.push_back({term.name, term.before_nN, term.rms_nN, term.after_nN,
-                              term.largest_nN, place(term.at)});
+                              term.largest_nN, term.at.text()});
     std::string text = fmt::format(
         "\nforces (RMS over nodes: sum before each term, the term, sum after it), {} of "
         "triangles in contact, nodes moved by up to {:.3g} um:\n{}",
@@ -30,7 +28,7 @@ std::string text_of(const StepAnatomy& anatomy, const StepAnatomy::Evaluation& e
         of_node.rows.push_back({term.name, term.on_node_nN.x(), term.on_node_nN.y(),
                                 term.on_node_nN.z(),
                                 (term.on_node_before_nN + term.on_node_nN).norm()});
-    return text + fmt::format("on node {}:\n{}", place(*anatomy.node), of_node.aligned_text());
+    return text + fmt::format("on node {}:\n{}", anatomy.node->text(), of_node.aligned_text());
 }
 
 std::string text_of(const SolveHistory& solve) {
@@ -63,9 +61,9 @@ std::string step_text(const StepAnatomy& anatomy) {
                         "largest motion {:.4g} um (node {})\n",
                         outcome.accepted ? "the step is good" : "the step fails", outcome.dt_s,
                         counted(outcome.rejected, "longer attempt"), error,
-                        anatomy.largest_moved_um, place(anatomy.largest_moved));
+                        anatomy.largest_moved_um, anatomy.largest_moved.text());
     if (anatomy.node)
-        text += fmt::format("node {} moves by {} um\n", place(*anatomy.node),
+        text += fmt::format("node {} moves by {} um\n", anatomy.node->text(),
                             vector_text(anatomy.node_moved_um));
     if (outcome.trouble) text += outcome.trouble->text() + "\n";
     return text;
@@ -89,7 +87,7 @@ nlohmann::json step_json(const StepAnatomy& anatomy) {
                                {"term_nN", term.rms_nN},
                                {"after_nN", term.after_nN},
                                {"largest_nN", term.largest_nN},
-                               {"largest_on", place(term.at)}};
+                               {"largest_on", term.at.text()}};
             if (anatomy.node) {
                 row["on_node_nN"] = vector_json(term.on_node_nN);
                 row["on_node_before_nN"] = vector_json(term.on_node_before_nN);
@@ -109,9 +107,9 @@ nlohmann::json step_json(const StepAnatomy& anatomy) {
         {"rejected", outcome.rejected},
         {"error_um", outcome.error_um > 0.0 ? number_or_null(outcome.error_um) : nlohmann::json()},
         {"largest_motion_um", anatomy.largest_moved_um},
-        {"largest_motion_of", place(anatomy.largest_moved)}};
+        {"largest_motion_of", anatomy.largest_moved.text()}};
     if (anatomy.node) {
-        document["node"] = place(*anatomy.node);
+        document["node"] = anatomy.node->text();
         document["node_moved_um"] = vector_json(anatomy.node_moved_um);
     }
     if (outcome.trouble) document["trouble"] = outcome.trouble->text();

@@ -85,6 +85,8 @@ class Watch {
 
 }  // namespace
 
+std::string NodeOfCell::text() const { return std::to_string(cell) + ":" + std::to_string(node); }
+
 StepAnatomy take_apart(System& system, Method& method, const State& state, double limit_s,
                        bool freeze_volume_integral, std::optional<NodeOfCell> node) {
     const Model& model = system.model();

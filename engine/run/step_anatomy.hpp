@@ -13,6 +13,7 @@ namespace spheroscope {
 
 struct NodeOfCell {
     int cell = 0, node = 0;
+    [[nodiscard]] std::string text() const;  ///< "17:203", as the command line takes it
     friend bool operator==(const NodeOfCell&, const NodeOfCell&) = default;
 };
 

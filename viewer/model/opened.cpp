@@ -1,13 +1,10 @@
 #include "viewer/model/opened.hpp"
 
-#include <fmt/format.h>
-
 namespace spheroscope::viewer {
 
 std::string key_text(const Opened& opened) {
     if (const auto* contact = std::get_if<inspect::ContactKey>(&opened)) return contact->text();
-    const NodeOfCell& node = std::get<NodeOfCell>(opened);
-    return fmt::format("{}:{}", node.cell, node.node);
+    return std::get<NodeOfCell>(opened).text();
 }
 
 std::string text_of(const Opened& opened) {

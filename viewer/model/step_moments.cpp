@@ -11,8 +11,6 @@ std::string vector(const Vec3& v) {
     return fmt::format("({:.3g}, {:.3g}, {:.3g})", v.x(), v.y(), v.z());
 }
 
-std::string place(const NodeOfCell& at) { return fmt::format("{}:{}", at.cell, at.node); }
-
 StepMoment start_of(const StepAnatomy& anatomy, const StepAnatomy::Evaluation& evaluation,
                     bool is_first) {
     StepMoment moment;
@@ -32,10 +30,10 @@ StepMoment after_term(const StepAnatomy& anatomy, const StepAnatomy::Term& term,
         {"before", number(term.before_nN), "nN"},
         {"this term", number(term.rms_nN), "nN"},
         {"after", number(term.after_nN), "nN"},
-        {"largest", fmt::format("{} on {}", number(term.largest_nN), place(term.at)), "nN"}};
+        {"largest", fmt::format("{} on {}", number(term.largest_nN), term.at.text()), "nN"}};
     if (anatomy.node) {
         const Vec3 after = term.on_node_before_nN + term.on_node_nN;
-        const std::vector<TableRow> of_node{{"node " + place(*anatomy.node), "", ""},
+        const std::vector<TableRow> of_node{{"node " + anatomy.node->text(), "", ""},
                                             {"before", vector(term.on_node_before_nN), "nN"},
                                             {"this term", vector(term.on_node_nN), "nN"},
                                             {"after", vector(after), "nN"},
@@ -71,9 +69,9 @@ StepMoment end_of(const StepAnatomy& anatomy) {
                    {"attempts before it", std::to_string(outcome.rejected), ""},
                    {"estimated error", number(outcome.error_um), "um"},
                    {"largest motion", number(anatomy.largest_moved_um), "um"},
-                   {"of node", place(anatomy.largest_moved), ""}};
+                   {"of node", anatomy.largest_moved.text(), ""}};
     if (anatomy.node) {
-        moment.rows.push_back({"motion of node " + place(*anatomy.node), "", ""});
+        moment.rows.push_back({"motion of node " + anatomy.node->text(), "", ""});
         moment.rows.push_back({"", vector(anatomy.node_moved_um), "um"});
     }
     if (outcome.trouble) moment.rows.push_back({"reason", outcome.trouble->text(), ""});
