@@ -1,5 +1,7 @@
 #include "engine/reports/report_table.hpp"
 
+#include "engine/base/csv_word.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,13 +24,6 @@ std::string text_of(const TableCell& cell, int digits) {
         std::string operator()(const std::string& value) const { return value; }
     };
     return std::visit(Visitor{digits}, cell);
-}
-
-std::string quoted_for_csv(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
 }
 
 }  // namespace
@@ -65,11 +60,11 @@ std::string ReportTable::csv_text(const std::vector<std::string>& comments) cons
     std::string text;
     for (const std::string& comment : comments) text += "# " + comment + "\n";
     for (std::size_t c = 0; c < columns.size(); ++c)
-        text += (c == 0 ? "" : ",") + quoted_for_csv(columns[c].name);
+        text += (c == 0 ? "" : ",") + csv_word(columns[c].name);
     text += "\n";
     for (const auto& row : rows) {
         for (std::size_t c = 0; c < columns.size(); ++c)
-            text += (c == 0 ? "" : ",") + quoted_for_csv(text_of(row[c], 0));
+            text += (c == 0 ? "" : ",") + csv_word(text_of(row[c], 0));
         text += "\n";
     }
     return text;

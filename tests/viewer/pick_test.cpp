@@ -110,6 +110,7 @@ TEST(Picking, TheTableBecomesCsv) {
     EXPECT_NE(csv.find("\ncell 0,x,-8.0000,µm\n"), std::string::npos);
     const std::string quoted = csv_text(*snapshot, {{"a, b", "", ""}, {"so \"called\"", "1", ""}});
     EXPECT_NE(quoted.find("\n\"a, b\",\"so \"\"called\"\"\",1,\n"), std::string::npos) << quoted;
+    EXPECT_NE(csv_text(*snapshot, {{"a\rb", "1", ""}}).find("\"a\rb\""), std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "viewer/model/pick.hpp"
 
+#include "engine/base/csv_word.hpp"
 #include "engine/base/index.hpp"
 #include "engine/inspect/inspect_contact.hpp"
 #include "viewer/model/series.hpp"
@@ -130,13 +131,6 @@ void add_fields(std::vector<TableRow>& rows, const Snapshot& snapshot, Place pla
                         std::isnan(value) ? std::string(field.absent) : number(value),
                         std::isnan(value) ? "" : std::string(field.shown_unit)});
     }
-}
-
-std::string csv_word(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
 }
 
 }  // namespace
