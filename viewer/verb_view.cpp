@@ -44,6 +44,7 @@ nlohmann::json document_of(const viewer::PanelModel& model, const viewer::AppRep
                             {"longest_pick_s", report.longest_pick_s},
                             {"files", report.files},
                             {"copied", report.copied},
+                            {"message", model.message},
                             {"contact", nullptr},
                             {"node", nullptr},
                             {"selection", nullptr}};

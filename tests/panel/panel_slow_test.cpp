@@ -52,7 +52,8 @@ class Panel : public PanelRun {
     show(const std::string& arguments, const std::string& script,
          const std::string& server_options = "",
          const std::string& ready = "until_log 'was read after'; until_log 'first picture'\n") {
-        return shell("Xvfb -displayfd 3 -screen 0 1760x1060x24 -nolisten tcp " + server_options +
+        return shell("rm -f display; Xvfb -displayfd 3 -screen 0 1760x1060x24 -nolisten tcp " +
+                     server_options +
                      " 3>display 2>server.log & server=$!\n"
                      "for i in $(seq 200); do [ -s display ] && break; sleep 0.05; done\n"
                      "export DISPLAY=:$(cat display)\n" +
@@ -100,6 +101,33 @@ TEST_F(Panel, ADragTurnsTheViewAndUndoTurnsItBack) {
                                                      "xdotool key ctrl+q");
     EXPECT_NE(json_of(back)["view"].get<std::string>().find("azimuth = \"30 deg\""),
               std::string::npos);
+}
+
+TEST_F(Panel, ANumberThatAPictureCannotHaveIsRefusedAndChangesNothing) {
+    make_run();
+    // a key is held until a frame of the panel has seen it
+    const auto type = [](const std::string& number) {
+        return "settle 0.3; xdotool key --delay 500 ctrl+a; xdotool type -- " + number +
+               "; settle 0.3; xdotool key --delay 500 Return; settle 0.3\n";
+    };
+    // the fields of panel 'View': angles, and the slider by which cells are pulled apart
+    const std::string azimuth = "xdotool mousemove 1385 227 click 1; ";
+    const std::string elevation = "xdotool mousemove 1460 227 click 1; ";
+    const std::string apart = "xdotool mousemove 1423 199 keydown ctrl click 1 keyup ctrl; ";
+    const Outcome refused = show("out/run.h5", azimuth + type("-71.25") + elevation + type("120") +
+                                                   "xdotool key ctrl+q");
+    ASSERT_EQ(refused.code, 0) << refused.err;
+    const std::string view = json_of(refused)["view"];
+    EXPECT_NE(view.find("azimuth = \"-71.25 deg\""), std::string::npos) << view;
+    EXPECT_NE(view.find("elevation = \"20 deg\""), std::string::npos) << view;
+    EXPECT_EQ(json_of(refused)["message"], "picture.elevation must be -90 ... 90 deg, got 120 deg");
+    const Outcome pulled =
+        show("out/run.h5", apart + type("2.5") + apart + type("-1") + "xdotool key ctrl+q");
+    ASSERT_EQ(pulled.code, 0) << pulled.err;
+    EXPECT_NE(json_of(pulled)["view"].get<std::string>().find("exploded = 2.5\n"),
+              std::string::npos)
+        << json_of(pulled)["view"];
+    EXPECT_EQ(json_of(pulled)["message"], "picture.exploded must be >= 0, got -1");
 }
 
 TEST_F(Panel, AClickPicksAndTheTableCanBeCopied) {

@@ -37,6 +37,15 @@ void choose_field(const PanelContext& panel, ViewSettings& view) {
     ImGui::EndCombo();
 }
 
+/// Two numbers, taken with Enter: what is typed so far is not what is meant (1 and 12 of 120).
+bool type_two(const char* label, std::array<double, 2>& numbers, const char* format) {
+    const bool is_typed =
+        ImGui::InputScalarN(label, ImGuiDataType_Double, numbers.data(), 2, nullptr, nullptr,
+                            format, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Enter takes what is typed");
+    return is_typed;
+}
+
 void choose_range(const PanelContext& panel, ViewSettings& view) {
     static constexpr std::array<const char*, 3> words{"run", "frame", "given"};
     static constexpr std::array<const char*, 3> labels{"whole run", "this frame", "given"};
@@ -56,9 +65,7 @@ void choose_range(const PanelContext& panel, ViewSettings& view) {
     ImGui::SetNextItemWidth(-70.0F);
     const Field* field = field_of(panel, p.field);
     const std::string label = field == nullptr ? "range" : std::string(field->shown_unit);
-    ImGui::InputScalarN(label.c_str(), ImGuiDataType_Double, typed.data(), 2, nullptr, nullptr,
-                        "%.6g");
-    if (typed == p.given_range) return;
+    if (!type_two(label.c_str(), typed, "%.6g") || typed == p.given_range) return;
     panel.model.message = scene::problem_of_range(typed);
     if (panel.model.message.empty()) p.given_range = typed;
 }
@@ -84,9 +91,7 @@ void choose_exploded(PanelContext& panel, scene::Picture& p) {
 void choose_angles(PanelContext& panel, scene::Picture& p) {
     std::array<double, 2> angles{p.azimuth_deg, p.elevation_deg};
     ImGui::SetNextItemWidth(150.0F);
-    if (!ImGui::InputScalarN("##angles", ImGuiDataType_Double, angles.data(), 2, nullptr, nullptr,
-                             "%.1f°"))
-        return;
+    if (!type_two("##angles", angles, "%.1f°")) return;
     take(panel, p.azimuth_deg, angles[0], "picture.azimuth");
     take(panel, p.elevation_deg, angles[1], "picture.elevation");
 }
