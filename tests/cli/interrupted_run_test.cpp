@@ -167,7 +167,8 @@ TEST_F(InterruptedRun, ThatIsFinishedSaysSoWhenItIsResumed) {
     const auto written = fs::last_write_time(path("o/run.h5"));
     const Outcome again = call({"run", "scene.toml", "-o", "o", "--json", "--resume"});
     EXPECT_EQ(again.code, 0);
-    EXPECT_EQ(again.err, "info: o/run.h5: this run is finished; nothing is left to do\n");
+    EXPECT_EQ(again.err, "info: o/run.h5: this run is finished; nothing is left to do "
+                         "(--overwrite makes it again)\n");
     EXPECT_EQ(hash_of(again), hash_of(whole));
     EXPECT_EQ(json_of(again)["totals"], json_of(whole)["totals"]);
     EXPECT_EQ(fs::last_write_time(path("o/run.h5")), written);
@@ -182,8 +183,8 @@ TEST_F(InterruptedRun, ThatIsFinishedNeedsNoCheckpoint) {
     const auto resume = [this] {
         return call({"run", "scene.toml", "-o", "o", "--json", "--resume"});
     };
-    const std::string nothing_left =
-        "info: o/run.h5: this run is finished; nothing is left to do\n";
+    const std::string nothing_left = "info: o/run.h5: this run is finished; nothing is left to do "
+                                     "(--overwrite makes it again)\n";
     for (const std::string& name : names_in("o"))
         if (name.find("checkpoint") != std::string::npos) write_file("o/" + name, "damaged");
     const Outcome damaged = resume();
