@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Prints the table of README.md from a result of `spheroscope bench`.
 
-    tests/bench/table_of_results.py tests/bench/results/epyc_avx512.csv
+    tests/bench/table_of_results.py tests/bench/results/xeon_avx512.csv
 """
 import csv
 import sys
