@@ -230,7 +230,28 @@ ExitCode verify(const MovieArguments& arguments, const cli::Invocation& invocati
     return verified ? ExitCode::ok : ExitCode::differs;
 }
 
+/// Options of a simulation, or of pictures, are not ignored where there is none to be made.
+void refuse_idle_options(const MovieArguments& arguments) {
+    const cli::CommonOptions& common = arguments.common;
+    const auto refuse = [](bool is_given, const std::string& option, const std::string& where) {
+        if (is_given) throw Error(option + " means nothing " + where, "leave it out");
+    };
+    const bool verifies = !arguments.verify.empty();
+    const std::string where = verifies ? "with --verify" : "to a run that is there";
+    if (verifies || is_run_file(arguments.input)) {
+        refuse(!common.time_limit.empty(), "--time-limit", where);
+        refuse(!common.checkpoint_every.empty(), "--checkpoint-every", where);
+        refuse(common.resume, "--resume", where);
+        refuse(arguments.overwrite, "--overwrite", where);
+    }
+    if (!verifies) return;
+    refuse(!arguments.picture.empty(), "--picture", where);
+    refuse(arguments.no_png, "--no-png", where);
+    refuse(!common.overrides().empty(), common.seed ? "--seed" : "--set", where);
+}
+
 ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocation) {
+    refuse_idle_options(arguments);
     if (!arguments.verify.empty()) return verify(arguments, invocation);
     if (arguments.input.empty())
         throw Error("movie wants a scene or a run's file, got none",

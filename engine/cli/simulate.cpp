@@ -38,29 +38,6 @@ namespace fs = std::filesystem;
 /// Frames that the store may be behind the engine.
 constexpr int k_queue_capacity = 8;
 
-/// Cells of a frame of an earlier run, for `arrangement = "file"`.
-std::optional<GivenCells> given_cells(const scene::Scene& scene) {
-    if (scene.cells.arrangement != scene::Arrangement::file) return {};
-    const fs::path path = fs::path(scene.file).parent_path() / scene.cells.file;
-    try {
-        const RunFileReader reader(path.string());
-        const int frame = scene.cells.frame < 0 ? reader.n_frames() - 1 : scene.cells.frame;
-        const SnapshotPtr snapshot = reader.frame(frame);
-        GivenCells given;
-        given.n_nodes = reader.header()->topology->n_nodes();
-        for (const float r : reader.header()->radius_um) given.radius_um.push_back(double{r});
-        for (std::size_t i = 0; i + 2 < snapshot->x_um.size(); i += 3)
-            given.x_um.emplace_back(double{snapshot->x_um[i]}, double{snapshot->x_um[i + 1]},
-                                    double{snapshot->x_um[i + 2]});
-        if (scene.held) given.held = read_held_load(path.string());
-        return given;
-    } catch (const Error& error) {
-        throw Error(scene.cells.loc,
-                    "cells.file: no cells can be had from this run\n  " + std::string(error.what()),
-                    "", error.code());
-    }
-}
-
 /// Where a run begins, and what becomes of a file that is there.
 struct StartPoint {
     std::optional<RunState> state;  ///< of the newest checkpoint; none: the scene's own start
@@ -216,6 +193,28 @@ SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene&
 }
 
 }  // namespace
+
+std::optional<GivenCells> given_cells(const scene::Scene& scene) {
+    if (scene.cells.arrangement != scene::Arrangement::file) return {};
+    const fs::path path = fs::path(scene.file).parent_path() / scene.cells.file;
+    try {
+        const RunFileReader reader(path.string());
+        const int frame = scene.cells.frame < 0 ? reader.n_frames() - 1 : scene.cells.frame;
+        const SnapshotPtr snapshot = reader.frame(frame);
+        GivenCells given;
+        given.n_nodes = reader.header()->topology->n_nodes();
+        for (const float r : reader.header()->radius_um) given.radius_um.push_back(double{r});
+        for (std::size_t i = 0; i + 2 < snapshot->x_um.size(); i += 3)
+            given.x_um.emplace_back(double{snapshot->x_um[i]}, double{snapshot->x_um[i + 1]},
+                                    double{snapshot->x_um[i + 2]});
+        if (scene.held) given.held = read_held_load(path.string());
+        return given;
+    } catch (const Error& error) {
+        throw Error(scene.cells.loc,
+                    "cells.file: no cells can be had from this run\n  " + std::string(error.what()),
+                    "", error.code());
+    }
+}
 
 bool is_run_of(const scene::Scene& scene, const RunHeader& stored) {
     return scene::is_same_run(stored.resolved_scene, scene.resolved_toml);

@@ -43,6 +43,10 @@ struct SimulationSummary {
                                          const std::vector<Change>& changes = {},
                                          LiveControl* live = nullptr);
 
+/// Cells of a frame of an earlier run, for `arrangement = "file"`; none otherwise. Throws Error, at
+/// the scene's line, when they cannot be had.
+[[nodiscard]] std::optional<GivenCells> given_cells(const scene::Scene& scene);
+
 /// Whether a stored run is of this scene and seed. Only what the engine reads counts: other
 /// pictures are the same run.
 [[nodiscard]] bool is_run_of(const scene::Scene& scene, const RunHeader& stored);

@@ -2,6 +2,7 @@
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/log.hpp"
 #include "engine/cli/options.hpp"
+#include "engine/cli/simulate.hpp"
 #include "engine/cli/verb.hpp"
 #include "engine/run/expectations.hpp"
 #include "engine/scene/key_text.hpp"
@@ -129,6 +130,8 @@ ExitCode check(const CheckArguments& arguments) {
         static_cast<void>(chosen_fields(scene));
         check_expectation_names(scene);
         check_centres(scene);
+        if (const std::optional<GivenCells> given = given_cells(scene))
+            static_cast<void>(Engine(scene, {}, given));
         if (arguments.common.json) {
             nlohmann::json document = describe(scene);
             if (arguments.explain) document["plan"] = describe(explain(scene));

@@ -210,6 +210,16 @@ TEST_F(BadInput, OfAFolderThatCannotBeMadeIsOfTheDiskUnlessAFileHasItsName) {
     EXPECT_NE(outcome.err.find("-o chooses another one"), std::string::npos) << outcome.err;
 }
 
+TEST_F(BadInput, OfCellsFromAFileIsFoundByCheckAsWell) {
+    put_run();
+    const Outcome pair = call({"extract", "o/run.h5", "--contact", "0-1", "-o", "pair.toml"});
+    ASSERT_EQ(pair.code, 0) << pair.err;
+    ASSERT_EQ(call({"check", "pair.toml"}).code, 0);
+    expect_refused({"check", "pair.toml", "--set", "cells.file=nosuch.h5"}, "nosuch.h5");
+    expect_refused({"check", "pair.toml", "--set", "cells.frame=999"}, "no cells can be had");
+    expect_refused({"check", "pair.toml", "--set", "cells.nodes=162"}, "have 42 nodes");
+}
+
 TEST_F(BadInput, OfAClosedStdoutEndsWith5) {
     const Outcome outcome = shell("exec \"$PROGRAM\" --version >&-");
     EXPECT_EQ(outcome.code, 5) << outcome.err;

@@ -37,6 +37,16 @@ TEST_F(VerifiedMovie, FindsItsRunOrSimulatesItAnew) {
     EXPECT_EQ(found["every_bit_counts"], true);
     EXPECT_TRUE(found["run"].is_string());
     fs::copy_file(path("o/frames/main/000020.png"), path("lone.png"));
+    for (const std::string option : {"--no-png", "--overwrite", "--resume"}) {
+        const Outcome idle = call({"movie", "--verify", "o/frames/main/000020.png", option});
+        EXPECT_EQ(idle.code, 2);
+        EXPECT_NE(idle.err.find(option + " means nothing with --verify"), std::string::npos)
+            << idle.err;
+    }
+    const Outcome idle = call({"movie", "o/run.h5", "--time-limit", "1 s"});
+    EXPECT_EQ(idle.code, 2);
+    EXPECT_NE(idle.err.find("--time-limit means nothing to a run that is there"), std::string::npos)
+        << idle.err;
     EXPECT_EQ(verify({"lone.png", "o/run.h5"}, 0)["max_difference"], 0);
     const nlohmann::json anew = verify({"lone.png"}, 0);
     EXPECT_TRUE(anew["run"].is_null());
