@@ -1,3 +1,4 @@
+#include "engine/base/index.hpp"
 #include "engine/cli/frame_choice.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/cli/version.hpp"
@@ -12,9 +13,9 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,7 +43,8 @@ int frame_of(const std::string& text, const std::vector<std::string>& stage_name
     const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), frame);
     if (failed == std::errc() && end == text.data() + text.size() && frame >= -n && frame < n)
         return frame < 0 ? n + frame : frame;
-    std::set<std::string> names(stage_names.begin(), stage_names.end());
+    std::vector<std::string> names;  // in the order of the run
+    std::unique_copy(stage_names.begin(), stage_names.end(), std::back_inserter(names));
     throw Error(fmt::format("--frames wants frames or stages, got '{}'", text),
                 fmt::format("frames are 0 to {} or from the end, stages {}", n - 1,
                             fmt::join(names, ", ")));
@@ -58,6 +60,9 @@ std::vector<std::string> parts_of(const std::string& list) {
     return parts;
 }
 
+/// Wider pictures are not opened by many programs.
+constexpr int k_widest_strip_px = 16384;
+
 /// Several frames of a run beside each other, with one range and one scale.
 void render_strip(render::FrameSource& run, scene::Picture picture, const std::string& list,
                   const fs::path& folder) {
@@ -66,7 +71,15 @@ void render_strip(render::FrameSource& run, scene::Picture picture, const std::s
     std::vector<render::MoviePainter::Shown> shown;
     const double widest_um =
         *std::max_element(survey.fit_radius_um.begin(), survey.fit_radius_um.end());
-    for (const std::string& part : parts_of(list)) {
+    const std::vector<std::string> parts = parts_of(list);
+    const std::size_t n_most = idx(k_widest_strip_px / picture.size_px[0]);
+    if (parts.size() > n_most)
+        throw Error(fmt::format("--frames: {} pictures of {} px are wider than {} px", parts.size(),
+                                picture.size_px[0], k_widest_strip_px),
+                    fmt::format("{} have room at this size; --set 'picture[0].size=[WIDTH, "
+                                "HEIGHT]' makes them smaller",
+                                n_most));
+    for (const std::string& part : parts) {
         render::MoviePainter::Shown one;
         one.frame = frame_of(part, survey.stage_names);
         one.view.fit_radius_um = widest_um;

@@ -88,7 +88,7 @@ Verb run_verb() {
                              "begin anew where an unfinished run, or that of another scene, is");
                 command.option("--seeds", arguments->seeds,
                                "one run after the other with these seeds, 1..5 or 1,4,7, each in "
-                               "a folder of its own",
+                               "a folder of its own; --time-limit is that of each",
                                {.type = "SEEDS"});
                 add_common_options(command, arguments->common,
                                    {CommonOption::output_folder, CommonOption::threads,

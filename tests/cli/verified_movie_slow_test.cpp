@@ -87,6 +87,11 @@ TEST_F(VerifiedMovie, FramesBesideEachOtherAreOnePicture) {
     ASSERT_EQ(strip.code, 0) << strip.err;
     EXPECT_EQ(width_px(path("o/main_strip.png")), 3 * width_px(path("o/main_000020.png")));
     EXPECT_EQ(verify({"o/main_strip.png"}, 0)["max_difference"], 0);
+    std::string many = "0";
+    for (int i = 0; i < 200; ++i) many += ",0";
+    const Outcome too_wide = call({"render", "o/run.h5", "--frames", many, "-o", "o"});
+    EXPECT_EQ(too_wide.code, 2);
+    EXPECT_NE(too_wide.err.find("201 pictures of"), std::string::npos) << too_wide.err;
     EXPECT_EQ(call({"movie", "--verify", "o/main_strip.png", "--compare", "o/run.h5"}).code, 2);
     const Outcome refused = call({"render", "o/run.h5", "--frames", "anneal,fly", "-o", "o"});
     EXPECT_EQ(refused.code, 2);
