@@ -5,12 +5,11 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/log.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/recorder.hpp"
 #include "engine/cli/report_output.hpp"
-#include "engine/cli/store_thread.hpp"
 #include "engine/cli/totals_text.hpp"
 #include "engine/cli/version.hpp"
 #include "engine/contact/simd_target.hpp"
-#include "engine/run/channels.hpp"
 #include "engine/run/companion.hpp"
 #include "engine/scene/same_run.hpp"
 #include "engine/stages/choices.hpp"
@@ -22,11 +21,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <thread>
 
@@ -34,9 +31,6 @@ namespace spheroscope::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Frames that the store may be behind the engine.
-constexpr int k_queue_capacity = 8;
 
 /// Where a run begins, and what becomes of a file that is there.
 struct StartPoint {
@@ -192,6 +186,67 @@ SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene&
     return summary;
 }
 
+EngineOptions engine_options_of(const CommonOptions& options, const RunPlace& place,
+                                const std::vector<Change>& changes, const Invocation& invocation) {
+    if (!options.simd.empty() && !use_simd_target(options.simd))
+        throw Error(fmt::format("--simd wants one of {}, got '{}'", fmt::join(simd_targets(), ", "),
+                                options.simd),
+                    "leave it out for the best");
+    EngineOptions result;
+    result.threads = options.n_threads();
+    result.version = version_text();
+    result.command_line = invocation.command_line;
+    result.wall_limit_s = options.time_limit_s().value_or(0.0);
+    result.checkpoint_every_wall_s =
+        options.checkpoint_every_s().value_or(result.checkpoint_every_wall_s);
+    result.changes = changes;
+    if (options.resume && fs::exists(place.run_file()))
+        result.changes = RunFileReader(place.run_file()).changes();
+    return result;
+}
+
+/// Runs the engine in a thread of its own, to its end or to a signal.
+RunResult run_in_thread(Engine& engine, const EngineSinks& sinks, const std::atomic<bool>& stop) {
+    RunResult result;
+    std::exception_ptr trouble;
+    std::thread thread([&] {
+        try {
+            result = engine.run(sinks, stop);
+        } catch (...) {
+            trouble = std::current_exception();
+        }
+    });
+    thread.join();
+    if (trouble) std::rethrow_exception(trouble);
+    return result;
+}
+
+void show_progress(Progress& progress, const RunProgress& p) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    progress.update(
+        {std::string(p.stage_name), p.stage_progress, p.time_s, p.dt_s > 0.0 ? p.dt_s : none});
+}
+
+/// Measures the errors that the scene asks for, ends the file, and judges the end.
+void finish_file(const scene::Scene& scene, const EngineOptions& options,
+                 const std::atomic<bool>& stop, const RunPlace& place, StoreThread& store,
+                 SimulationSummary& summary) {
+    RunResult& result = summary.result;
+    if (is_over(result.verdict) && scene.measures.time_error)
+        measure_time_error(scene, options, stop, result);
+    if (is_over(result.verdict) && scene.measures.mesh_error)
+        estimate_mesh_error(scene, options, stop, result);
+    RunEnd end{is_over(result.verdict), result.outcome, result.wall_s, result.errors};
+    if (end.is_complete) end.state_hash = result.state_hash;
+    store.finish(end);
+    const RunFileReader reader(place.run_file());
+    write_xdmf(reader);
+    if (!store.last())
+        take_from_file(reader, scene, summary);
+    else if (is_over(result.verdict))
+        summary.expectations = check_expectations(scene, *store.last());
+}
+
 }  // namespace
 
 std::optional<GivenCells> given_cells(const scene::Scene& scene) {
@@ -245,20 +300,7 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
                            const Invocation& invocation, const std::vector<Change>& changes,
                            LiveControl* live) {
     check_expectation_names(scene);
-    EngineOptions engine_options;
-    engine_options.threads = options.n_threads();
-    if (!options.simd.empty() && !use_simd_target(options.simd))
-        throw Error(fmt::format("--simd wants one of {}, got '{}'", fmt::join(simd_targets(), ", "),
-                                options.simd),
-                    "leave it out for the best");
-    engine_options.version = version_text();
-    engine_options.command_line = invocation.command_line;
-    engine_options.wall_limit_s = options.time_limit_s().value_or(0.0);
-    engine_options.checkpoint_every_wall_s =
-        options.checkpoint_every_s().value_or(engine_options.checkpoint_every_wall_s);
-    engine_options.changes = changes;
-    if (options.resume && fs::exists(place.run_file()))
-        engine_options.changes = RunFileReader(place.run_file()).changes();
+    EngineOptions engine_options = engine_options_of(options, place, changes, invocation);
     Engine engine(scene, engine_options, given_cells(scene));
 
     make_folder(place.folder);
@@ -274,81 +316,26 @@ SimulationSummary simulate(const scene::Scene& scene, const RunPlace& place,
     if (!start.continues_file) remove_checkpoints(place.run_file());
 
     const InterruptGuard interrupts;
-    FrameQueue queue(k_queue_capacity);
-    StoreThread store(
-        start.continues_file
-            ? RunFileWriter::append(place.run_file(), *engine.header(), engine.state().frames)
-            : RunFileWriter::create(place.run_file(), *engine.header(),
-                                    RunFileWriter::Existing::replace),
-        queue.add_reader("store"));
-    // However this function is left, the store sees the end of its frames before it is joined.
-    const std::unique_ptr<FrameQueue, void (*)(FrameQueue*)> close_at_end(
-        &queue, [](FrameQueue* q) { q->close(); });
-    std::vector<Change> made = engine_options.changes;
-    if (!made.empty()) store.record_changes(made);
+    Recorder recorder(engine, place.run_file(), start.continues_file, engine_options.changes);
     Progress progress(progress_style(options.quiet));
     EngineSinks sinks;
     sinks.live = live;
-    sinks.changed = [&](const Change& change) {
-        // A resumed run may still have changes of its file before it.
-        made.insert(
-            std::upper_bound(made.begin(), made.end(), change,
-                             [](const Change& a, const Change& b) { return a.time_s < b.time_s; }),
-            change);
-        store.record_changes(made);
-    };
-    sinks.frame = [&](SnapshotPtr frame) { return queue.push(std::move(frame)); };
-    sinks.checkpoint = [&](const CheckpointData& data) {
-        store.when_written(engine.state().frames,
-                           [&] { write_checkpoint(place.run_file(), data); });
-    };
-    sinks.progress = [&](const RunProgress& p) {
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        progress.update(
-            {std::string(p.stage_name), p.stage_progress, p.time_s, p.dt_s > 0.0 ? p.dt_s : none});
-    };
+    sinks.progress = [&](const RunProgress& p) { show_progress(progress, p); };
+    recorder.add_to(sinks);
 
     SimulationSummary summary;
     summary.contact_arithmetic = engine.header()->contact_arithmetic;
-    std::exception_ptr trouble;
-    std::thread engine_thread([&] {
-        try {
-            summary.result = engine.run(sinks, interrupts.stop());
-        } catch (...) {
-            trouble = std::current_exception();
-        }
-        queue.close();
-    });
-    engine_thread.join();
-    store.join();
+    summary.result = run_in_thread(engine, sinks, interrupts.stop());
+    recorder.end(summary.result);
     progress.clear();
-    if (trouble) std::rethrow_exception(trouble);
-    RunResult& result = summary.result;
-    // The last frame may fail after the last push.
-    if (const auto reason = queue.failure(); reason && result.verdict != RunVerdict::sink_failed) {
-        result.verdict = RunVerdict::sink_failed;
-        result.outcome = "stopped";
-        result.message = *reason;
-    }
-    summary.state_hash = result.state_hash;
-    engine_options.changes = made;
-    if (!store.has_failed()) {
-        if (is_over(result.verdict) && scene.measures.time_error)
-            measure_time_error(scene, engine_options, interrupts.stop(), result);
-        if (is_over(result.verdict) && scene.measures.mesh_error)
-            estimate_mesh_error(scene, engine_options, interrupts.stop(), result);
-        RunEnd end{is_over(result.verdict), result.outcome, result.wall_s, result.errors};
-        if (end.is_complete) end.state_hash = result.state_hash;
-        store.finish(end);
-        const RunFileReader reader(place.run_file());
-        write_xdmf(reader);
-        if (!store.last())
-            take_from_file(reader, scene, summary);
-        else if (is_over(result.verdict))
-            summary.expectations = check_expectations(scene, *store.last());
-    }
-    if (result.verdict == RunVerdict::unstable && fs::exists(checkpoint_path(place.run_file())))
-        result.message +=
+    summary.state_hash = summary.result.state_hash;
+    engine_options.changes = recorder.changes();
+    StoreThread& store = recorder.store();
+    if (!store.has_failed())
+        finish_file(scene, engine_options, interrupts.stop(), place, store, summary);
+    if (summary.result.verdict == RunVerdict::unstable &&
+        fs::exists(checkpoint_path(place.run_file())))
+        summary.result.message +=
             "\n  hint: the last good state is in " + checkpoint_path(place.run_file());
     summary.code = exit_code(summary, store.failure());
     return summary;
