@@ -64,7 +64,7 @@ struct LiveLooks {
     int n_looks = 0;          ///< states that are kept
     int looks_back = 0;       ///< which of them is on show while the end is followed; 0: the newest
     std::string dragged_key;  ///< the parameter whose slider is held
-    float dragged_value = 0;  ///< where it is held
+    double dragged_value = 0.0;  ///< where it is held
     /// The step that was taken apart last, and which of its moments is on show.
     std::shared_ptr<const StepAnatomy> anatomy;
     int moment = 0;

@@ -18,19 +18,19 @@ namespace {
 void change_parameter(LiveRun& live, LiveLooks& state, const ChangeableRow& row, double now) {
     const std::string key(row.key);
     const bool is_held = state.dragged_key == key;
-    float shown = is_held ? state.dragged_value : static_cast<float>(now);
+    double shown = is_held ? state.dragged_value : now;
+    const double lowest = now / 4.0, highest = now * 4.0;
     const std::string label = fmt::format("{}##{}", row.symbol, row.key);
     const std::string format = "%.4g " + std::string(scene::engine_unit(row.dimension));
     ImGui::SetNextItemWidth(-110.0F);
-    ImGui::SliderFloat(label.c_str(), &shown, static_cast<float>(now / 4.0),
-                       static_cast<float>(now * 4.0), format.c_str(),
-                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+    ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &shown, &lowest, &highest,
+                        format.c_str(),
+                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
     if (ImGui::IsItemActive()) {
         state.dragged_key = key;
         state.dragged_value = shown;
     }
-    if (ImGui::IsItemDeactivatedAfterEdit())
-        live.channel().order({0.0, key, {static_cast<double>(shown)}});
+    if (ImGui::IsItemDeactivatedAfterEdit()) live.channel().order({0.0, key, {shown}});
     if (ImGui::IsItemDeactivated()) state.dragged_key.clear();
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", key.c_str());
 }
