@@ -298,8 +298,8 @@ void App::take_engines_news() {
         model_.live->anatomy_is_new = true;
     }
     if (live_->is_over() && !std::exchange(knows_end_, true)) {
-        cli::log_info("the run is over");
-        model_.message = "the run is over";
+        model_.message = live_->end_text();
+        cli::log_info(model_.message);
     }
     if (cli::interrupt_signal() != 0) window_.close();
 }

@@ -115,6 +115,18 @@ const scene::Scene& LiveRun::scene_now() {
     return scene_now_;
 }
 
+std::string LiveRun::end_text() const {
+    std::string text = "the run is over";
+    try {
+        if (trouble_) std::rethrow_exception(trouble_);
+        text += ": " + summary_->result.outcome;
+        if (!summary_->result.message.empty()) text += ": " + summary_->result.message;
+    } catch (const std::exception& error) {
+        text += fmt::format(": {}", error.what());
+    }
+    return text;
+}
+
 cli::SimulationSummary LiveRun::finish() {
     channel_.stop();
     if (thread_.joinable()) thread_.join();

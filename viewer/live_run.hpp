@@ -52,6 +52,8 @@ class LiveRun final : public Frames {
     [[nodiscard]] const KeptLooks& looks() const { return looks_; }
     [[nodiscard]] SnapshotPtr newest_look() const;
     [[nodiscard]] bool is_over() const { return is_over_.load(); }
+    /// "the run is over: unstable: the contact ..."; only when it is over.
+    [[nodiscard]] std::string end_text() const;
     /// The scene with the changes so far.
     [[nodiscard]] const scene::Scene& scene_now();
 

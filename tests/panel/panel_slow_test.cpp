@@ -114,8 +114,8 @@ TEST_F(Panel, ANumberThatAPictureCannotHaveIsRefusedAndChangesNothing) {
     const std::string azimuth = "xdotool mousemove 1385 227 click 1; ";
     const std::string elevation = "xdotool mousemove 1460 227 click 1; ";
     const std::string apart = "xdotool mousemove 1423 199 keydown ctrl click 1 keyup ctrl; ";
-    const Outcome refused = show("out/run.h5", azimuth + type("-71.25") + elevation + type("120") +
-                                                   "xdotool key ctrl+q");
+    const Outcome refused = show("out/run.h5", azimuth + type("-7.125e1") + elevation +
+                                                   type("120") + "xdotool key ctrl+q");
     ASSERT_EQ(refused.code, 0) << refused.err;
     const std::string view = json_of(refused)["view"];
     EXPECT_NE(view.find("azimuth = \"-71.25 deg\""), std::string::npos) << view;
@@ -324,7 +324,7 @@ TEST_F(Panel, WhatIsChangedInALiveRunIsRepeatedToTheBitWithoutADisplay) {
         show_live("xdotool key n; until_log 'stage 1, compact, begins'; settle\n"
                   // the first slider of the panel of the engine, right of its middle
                   "xdotool mousemove 1500 108 click 1; settle\n"
-                  "xdotool key space; until_log 'the run is over'\n"
+                  "xdotool key space; until_log 'the run is over: '\n"
                   "xdotool key ctrl+q");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const nlohmann::json report = json_of(outcome);

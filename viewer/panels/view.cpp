@@ -39,9 +39,9 @@ void choose_field(const PanelContext& panel, ViewSettings& view) {
 
 /// Two numbers, taken with Enter: what is typed so far is not what is meant (1 and 12 of 120).
 bool type_two(const char* label, std::array<double, 2>& numbers, const char* format) {
-    const bool is_typed =
-        ImGui::InputScalarN(label, ImGuiDataType_Double, numbers.data(), 2, nullptr, nullptr,
-                            format, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool is_typed = ImGui::InputScalarN(
+        label, ImGuiDataType_Double, numbers.data(), 2, nullptr, nullptr, format,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CharsScientific);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Enter takes what is typed");
     return is_typed;
 }
