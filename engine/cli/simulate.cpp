@@ -74,6 +74,8 @@ StartPoint point_to_resume(const RunPlace& place, const scene::Scene& scene) {
 /// check_nothing_is_lost refuses.
 bool holds_this_run(const RunPlace& place, const RunHeader& wanted) {
     if (!fs::exists(place.run_file())) return false;
+    // Two programs that differ from a commit, each in its way, have the same version.
+    if (wanted.version.find("+changes") != std::string::npos) return false;
     const RunFileReader reader(place.run_file());
     const RunHeader& stored = *reader.header();
     return stored.version == wanted.version && stored.resolved_scene == wanted.resolved_scene &&

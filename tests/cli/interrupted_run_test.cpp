@@ -67,6 +67,22 @@ TEST_F(InterruptedRun, UnderNohupGoesOnAfterAHangUp) {
     EXPECT_EQ(RunFileReader(path("o/run.h5").string()).outcome(), "done");
 }
 
+TEST_F(InterruptedRun, IsNotMadeAgainOnceItIsFinishedUnlessItWouldBeAnother) {
+    const auto again = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"run", "scene.toml", "-o", "o"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = call(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.err.find("nothing is left to do") == std::string::npos;
+    };
+    EXPECT_TRUE(again({})) << "there is none yet";
+    // Of a program that differs from its commit nobody knows whether it is the same one.
+    const bool is_known = call({"--version"}).out.find("+changes") == std::string::npos;
+    EXPECT_EQ(again({}), !is_known);
+    EXPECT_TRUE(again({"--overwrite"}));
+    EXPECT_TRUE(again({"--simd", "scalar"})) << "other bits";
+}
+
 TEST_F(InterruptedRun, ThatIsResumedEndsInTheSameBits) {
     const Outcome whole = call({"run", "scene.toml", "-o", "whole", "--quiet", "--json"});
     ASSERT_EQ(whole.code, 0) << whole.err;
