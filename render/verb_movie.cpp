@@ -47,7 +47,7 @@ bool has_finished_run(const cli::RunPlace& place, const scene::Scene& scene) {
     try {
         const RunFileReader reader(place.run_file());
         return reader.is_complete() && reader.changes().empty() &&
-               reader.header()->version == cli::version_text() &&
+               cli::is_made_by_this_program(*reader.header()) &&
                cli::is_run_of(scene, *reader.header());
     } catch (const Error&) {
         return false;  // whatever is there is not this run; simulate() says what it thinks of it

@@ -74,11 +74,9 @@ StartPoint point_to_resume(const RunPlace& place, const scene::Scene& scene) {
 /// check_nothing_is_lost refuses.
 bool holds_this_run(const RunPlace& place, const RunHeader& wanted) {
     if (!fs::exists(place.run_file())) return false;
-    // Two programs that differ from a commit, each in its way, have the same version.
-    if (wanted.version.find("+changes") != std::string::npos) return false;
     const RunFileReader reader(place.run_file());
     const RunHeader& stored = *reader.header();
-    return stored.version == wanted.version && stored.resolved_scene == wanted.resolved_scene &&
+    return is_made_by_this_program(stored) && stored.resolved_scene == wanted.resolved_scene &&
            stored.contact_arithmetic == wanted.contact_arithmetic;
 }
 
@@ -271,6 +269,11 @@ std::optional<GivenCells> given_cells(const scene::Scene& scene) {
                     "cells.file: no cells can be had from this run\n  " + std::string(error.what()),
                     "", error.code());
     }
+}
+
+bool is_made_by_this_program(const RunHeader& stored) {
+    const std::string version = version_text();
+    return stored.version == version && version.find("+changes") == std::string::npos;
 }
 
 bool is_run_of(const scene::Scene& scene, const RunHeader& stored) {

@@ -51,6 +51,10 @@ struct SimulationSummary {
 /// pictures are the same run.
 [[nodiscard]] bool is_run_of(const scene::Scene& scene, const RunHeader& stored);
 
+/// Whether this very program has made the stored run. Two programs that differ from a commit, each
+/// in its way, have the same version ("+changes"), so of such a one it is never said.
+[[nodiscard]] bool is_made_by_this_program(const RunHeader& stored);
+
 /// Throws Error where a run of this scene with these changes would take the place of an unfinished
 /// run, of one of another scene or seed, or of one that was changed in another way.
 void check_nothing_is_lost(const RunPlace& place, const scene::Scene& scene,

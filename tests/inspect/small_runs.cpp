@@ -1,5 +1,7 @@
 #include "tests/inspect/small_runs.hpp"
 
+#include "tests/scene/case_a_text.hpp"
+
 namespace spheroscope::test {
 
 std::string text_of(const PairScene& pair) {
@@ -7,25 +9,8 @@ std::string text_of(const PairScene& pair) {
     return "[cells]\narrangement = \"centres\"\nnodes = " + std::to_string(pair.nodes) +
            "\ncentres = [[0, 0, -" + half + ", 9], [0, 0, " + half + ", 9]" + pair.cells +
            R"(]
-[cortex.elastic]
-E = "20 kPa"
-[cortex.bending]
-[cortex.tension]
-gamma = "0.5 nN/um"
-[cortex.viscosity]
-eta = "1 kPa s"
-[cytosol]
-K = "5 kPa"
-[medium]
-[contact]
-law = ")" + pair.law +
-           R"("
-[contact.adhesion]
-omega = "0.5 nN/um"
-[contact.friction]
-normal = "0.05 kPa s/um"
-tangential = "0.05 kPa s/um"
-[method]
+)" + k_case_a_cell +
+           "[cortex.bending]\n" + case_a_contact("law = \"" + pair.law + "\"\n") + R"([method]
 dt_max = "0.05 s"
 )" + pair.stages +
            "[measures]\nfields = [\"sigma_nn\"]\n" + pair.extra;

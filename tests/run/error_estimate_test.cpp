@@ -1,10 +1,12 @@
 #include "engine/run/companion.hpp"
 #include "engine/run/engine.hpp"
 #include "engine/stages/choices.hpp"
+#include "tests/scene/case_a_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace spheroscope {
 namespace {
@@ -73,24 +75,12 @@ TEST(MissingTime, OfAMotionThatDoesNotSlowDownIsThatOfAnotherStage) {
 }
 
 TEST(MissingTime, OfARunIsAtMostThatOfItsLastStage) {
-    constexpr const char* k_two_stages = R"(
-[cells]
+    const std::string two_stages = R"([cells]
 arrangement = "centres"
 nodes = 42
 centres = [[0, 0, -8.8, 9], [0, 0, 8.8, 9]]
-[cortex.elastic]
-E = "20 kPa"
-[cortex.tension]
-gamma = "0.5 nN/um"
-[cortex.viscosity]
-eta = "1 kPa s"
-[cytosol]
-K = "5 kPa"
-[medium]
-[contact]
-[contact.adhesion]
-omega = "0.5 nN/um"
-[[stage]]
+)" + k_case_a_cell + case_a_contact() +
+                                   R"([[stage]]
 kind = "relax"
 duration = "0.5 s"
 [[stage]]
@@ -99,7 +89,7 @@ until = "rest"
 cap = "0.05 s"
 every = "0.01 s"
 )";
-    const scene::Scene scene = scene::parse_scene(k_two_stages, "two_stages.toml");
+    const scene::Scene scene = scene::parse_scene(two_stages, "two_stages.toml");
     Engine engine(scene, {.threads = 1, .version = {}, .command_line = {}});
     EngineSinks sinks;
     sinks.frame = [](const SnapshotPtr&) { return std::optional<std::string>(); };

@@ -1,6 +1,7 @@
 // Which resolved scenes make the same run.
 #include "engine/scene/same_run.hpp"
 #include "engine/scene/scene.hpp"
+#include "tests/scene/scene_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,20 +12,8 @@ const std::string k_pictures = "[[picture]]\nfield = \"curvature\"\n";
 
 std::string resolved(const std::vector<Override>& overrides = {},
                      const std::string& pictures = k_pictures) {
-    return parse_scene(R"([cells]
-arrangement = "single"
-nodes = 42
-radius = "9 um"
-[cortex.tension]
-gamma = "0.5 nN/um"
-[medium]
-[[stage]]
-kind = "relax"
-duration = "1 s"
-[measures]
-fields = ["curvature"]
-)" + pictures,
-                       "a.toml", overrides)
+    return parse_scene(k_drop + "[measures]\nfields = [\"curvature\"]\n" + pictures, "a.toml",
+                       overrides)
         .resolved_toml;
 }
 
