@@ -114,8 +114,9 @@ void add_to_caption(reports::Plot& plot, const std::vector<std::string>& remarks
 std::vector<std::string> write_figure(figures::Figure& figure, const std::string& path,
                                       const std::vector<std::string>& remarks,
                                       const cli::Invocation& invocation) {
-    std::vector<std::string> all_remarks = figure.missing;
-    all_remarks.insert(all_remarks.end(), remarks.begin(), remarks.end());
+    // Of the runs first: a picture has room for a few.
+    std::vector<std::string> all_remarks = remarks;
+    all_remarks.insert(all_remarks.end(), figure.missing.begin(), figure.missing.end());
     std::vector<std::string> comments = cli::report_comments(invocation, 0);
     comments.insert(comments.end(), figure.plot.caption.begin(), figure.plot.caption.end());
     comments.insert(comments.end(), all_remarks.begin(), all_remarks.end());

@@ -64,6 +64,10 @@ void label(std::vector<SetupStatistics>& setups) {
 
 }  // namespace
 
+bool RunStatistics::has_ended() const {
+    return outcome == "done" || outcome == "rest" || outcome == "stationary" || outcome == "cap";
+}
+
 double RunStatistics::coordination_at(double threshold_um2) const {
     return coordination(pairs, setup.n_cells, threshold_um2);
 }

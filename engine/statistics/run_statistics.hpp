@@ -48,6 +48,8 @@ struct RunStatistics {
     std::vector<WallPoint> wall;
     double extent_um = 0.0;  ///< distance of the farthest node from the middle
 
+    /// Whether its last stage came to its end, at rest or at its cap.
+    [[nodiscard]] bool has_ended() const;
     [[nodiscard]] double coordination_at(double threshold_um2) const;
     /// Mean over the cells of one number of their stress, kPa; NaN where no cell touches another.
     [[nodiscard]] double mean_stress_kPa(const CellStressRow& row, Weighting weighting) const;

@@ -142,11 +142,15 @@ void finish(Figure& figure, Setups setups, const std::string& title) {
     int n_runs = 0;
     std::size_t fewest = std::numeric_limits<std::size_t>::max(), most = 0;
     std::set<std::string> stages;
+    bool have_all_ended = true;
     for (const statistics::SetupStatistics& setup : setups) {
         n_runs += static_cast<int>(setup.runs.size());
         fewest = std::min(fewest, setup.runs.size());
         most = std::max(most, setup.runs.size());
-        for (const statistics::RunStatistics& run : setup.runs) stages.insert(run.stage_name);
+        for (const statistics::RunStatistics& run : setup.runs) {
+            stages.insert(run.stage_name);
+            have_all_ended = have_all_ended && run.has_ended();
+        }
     }
     std::string errors;
     if (std::any_of(figure.plot.panels.begin(), figure.plot.panels.end(),
@@ -154,10 +158,10 @@ void finish(Figure& figure, Setups setups, const std::string& title) {
         errors = most < 2 ? " One seed each: no error bars."
                           : " Error bars: standard error over seeds, where larger than the mark.";
     if (most > 1 && fewest < 2) errors += " One seed has none.";
-    figure.plot.caption.push_back(
-        fmt::format("{} of {} at {} end (stage: {}).{}", counted(n_runs, "run"),
-                    counted(setups.size(), "setup"), n_runs == 1 ? "its" : "their",
-                    fmt::join(stages, ", "), errors));
+    figure.plot.caption.push_back(fmt::format(
+        "{} of {} {} {} {} (stage: {}).{}", counted(n_runs, "run"), counted(setups.size(), "setup"),
+        have_all_ended ? "at" : "in", n_runs == 1 ? "its" : "their",
+        have_all_ended ? "end" : "last frame", fmt::join(stages, ", "), errors));
 }
 
 }  // namespace spheroscope::figures

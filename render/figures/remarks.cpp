@@ -15,11 +15,12 @@ namespace spheroscope::figures {
 namespace {
 
 /// "" for a run that came to the end that its scene asks for.
-std::string remark_on_outcome(const std::string& outcome) {
-    if (outcome == "done" || outcome == "rest" || outcome == "stationary") return "";
-    if (outcome == "cap") return "ended at the cap of time, not at rest";
-    return outcome.empty() ? "not at its end, the last frame is shown"
-                           : fmt::format("not at its end ({}), the last frame is shown", outcome);
+std::string remark_on_outcome(const statistics::RunStatistics& run) {
+    if (run.outcome == "cap") return "ended at the cap of time, not at rest";
+    if (run.has_ended()) return "";
+    return run.outcome.empty()
+               ? "not at its end, the last frame is shown"
+               : fmt::format("not at its end ({}), the last frame is shown", run.outcome);
 }
 
 }  // namespace
@@ -33,7 +34,7 @@ std::vector<std::string> remarks_on_runs(Setups setups) {
         std::map<std::string, std::vector<std::uint64_t>> seeds_of;  // what is to be said of them
         for (const statistics::RunStatistics& run : setup.runs) {
             versions.insert(run.version);
-            const std::string remark = remark_on_outcome(run.outcome);
+            const std::string remark = remark_on_outcome(run);
             if (!remark.empty()) seeds_of[remark].push_back(run.seed);
         }
         for (const auto& [remark, seeds] : seeds_of)

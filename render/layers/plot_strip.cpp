@@ -166,13 +166,21 @@ void PlotStripPainter::draw_axes(TextPainter& text, const Range& values) {
         const double x = std::round(point(time_s, value_low_).x);
         fill_rectangle(background_, x, top_, x + thin, bottom_, k_line);
     }
-    // As many labels as have room, 0 wherever it is in between.
-    double last_y = std::numeric_limits<double>::infinity();
-    for (const double value : value_ticks) {
-        const double y = std::round(point(time_low_, value).y);
+    // As many labels as have room, at equal distances, and 0 wherever it is in between.
+    const auto y_of = [&](double value) { return std::round(point(time_low_, value).y); };
+    std::size_t stride = 1;
+    if (value_ticks.size() > 1) {
+        const double pitch = y_of(value_ticks[0]) - y_of(value_ticks[1]);
+        stride = static_cast<std::size_t>(std::ceil(scaled(1.2 * k_text) / pitch));
+    }
+    const auto zero = std::find(value_ticks.begin(), value_ticks.end(), 0.0);
+    const auto first = zero == value_ticks.end()
+                           ? std::size_t{0}
+                           : static_cast<std::size_t>(zero - value_ticks.begin()) % stride;
+    for (std::size_t i = 0; i < value_ticks.size(); ++i) {
+        const double value = value_ticks[i], y = y_of(value);
         fill_rectangle(background_, left_, y, right_, y + thin, value == 0.0 ? k_soft_ink : k_line);
-        if (!has_labels || last_y - y < scaled(1.2 * k_text)) continue;
-        last_y = y;
+        if (!has_labels || i % stride != first) continue;
         text.draw(background_, left_ - scaled(10.0), y + scaled(7.0), number_text(value), style,
                   Anchor::right);
     }

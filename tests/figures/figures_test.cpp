@@ -73,6 +73,18 @@ TEST(RemarksOnRuns, NameCapsUnendedRunsMissingSeedsAndVersions) {
             "γ/ω = 8, Et/ω = 8 has 1 seed, others have 5", "runs of several versions: 1, 2"}));
 }
 
+TEST(Caption, CallsNoLastFrameAnEndThatIsNone) {
+    auto stopped = made_up_run(1, 8, 2);
+    stopped.outcome = "time limit";
+    const auto words = [](const statistics::RunStatistics& second) {
+        return stress_statistics(group_by_setup({made_up_run(1, 8, 1), second}))
+            .plot.caption.front();
+    };
+    EXPECT_EQ(words(made_up_run(1, 8, 2)).find("2 runs of 1 setup at their end (stage: relax)"),
+              0U);
+    EXPECT_EQ(words(stopped).find("2 runs of 1 setup in their last frame (stage: relax)"), 0U);
+}
+
 TEST(ForceDisplacement, HasALineForEachSeedInTheOneColourOfItsSetup) {
     const auto setups =
         group_by_setup({made_up_run(1, 8, 1), made_up_run(1, 8, 2), made_up_run(4, 8, 1)});

@@ -69,6 +69,23 @@ TEST(PlotStrip, OfNothingButUndefinedValuesSaysSoAndInventsNoAxis) {
     EXPECT_GT(ink(0.35, 0.75, 0.35, 0.65), 100) << "the words";
 }
 
+TEST(PlotStrip, HasTheNumberOfZeroWhereverItIsInBetween) {
+    for (const double lowest : {-190.0, -95.0, -30.0, -7.0}) {
+        PlotStrip strip;
+        strip.heading = "sigma_h_rim (Pa)";
+        strip.curves.push_back({"a", {0.0, 1.0, 2.0}, {50.0, lowest, 0.0}});
+        const PlotStripPainter painter(strip, 1280, 720);
+        const double times[]{0.0};
+        const Image image = painter.draw(times);
+        const double y = painter.point(0.0, 0.0).y;
+        int n_ink = 0;
+        for (int row = -10; row <= 10; ++row)
+            for (int x = 0; x < painter.point(0.0, 0.0).x - 8; ++x)
+                n_ink += image.at(x, static_cast<int>(y) + row) == Rgb{255, 255, 255} ? 0 : 1;
+        EXPECT_GT(n_ink, 20) << lowest;
+    }
+}
+
 TEST(PlotStrip, WritesUnitsAsPicturesDo) {
     EXPECT_EQ(shown_unit("um^2").text, "µm²");
     EXPECT_EQ(shown_unit("kPa").text, "Pa");
