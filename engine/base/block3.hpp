@@ -12,17 +12,6 @@ namespace spheroscope {
 struct Block3 {
     std::array<float, 9> column_major{};
 
-    /// += factor * a b^T
-    void add_outer(float factor, const std::array<float, 3>& a, const std::array<float, 3>& b) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const float scaled = factor * b[c];
-            for (std::size_t r = 0; r < 3; ++r) column_major[3 * c + r] += scaled * a[r];
-        }
-    }
-    /// += factor * n n^T, the square having been computed before.
-    void add_square(float factor, const Block3& square) {
-        for (std::size_t k = 0; k < 9; ++k) column_major[k] += factor * square.column_major[k];
-    }
     void add_isotropic(float value) {
         column_major[0] += value;
         column_major[4] += value;
@@ -62,14 +51,15 @@ inline Lanes::Register load(const float* four) {
     std::memcpy(&r, four, sizeof r);
     return r;
 }
+inline void store(Lanes::Register r, float* four) { std::memcpy(four, &r, sizeof r); }
 
 }  // namespace lane_detail
 
-/// The fourth lane of d must be 0; that of the products is.
-inline BlockProducts<Lanes> products(const Block3& block, Lanes d) {
+/// b: the nine numbers of a block, column by column. The fourth lane of d must be 0; that of the
+/// products is.
+inline BlockProducts<Lanes> products(const float* b, Lanes d) {
     using Register = Lanes::Register;
     using Mask = int __attribute__((vector_size(16)));
-    const float* const b = block.column_major.data();
     const Register u = d.lane;
     const Register c0 = lane_detail::load(b), c1 = lane_detail::load(b + 3);  // and one more float
     const Register last = lane_detail::load(b + 5);

@@ -4,13 +4,16 @@
 #include "engine/forces/cell_stiffness.hpp"
 #include "engine/solve/node_couplings.hpp"
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace spheroscope {
 
 /// What couples the nodes of one cell in (Gamma + dt K), summed up from elements once per linear
-/// solve: an iteration then reads one block per pair of nodes, whatever the number of terms.
+/// solve: an iteration then reads one block per pair of nodes, whatever the number of terms. It is
+/// multiplied with as one of CellMatrices.
 ///
 /// Elements that do not see a common translation are stored as blocks W_ij on differences,
 /// y_i += W_ij (u_i - u_j), y_j -= W_ij^T (u_i - u_j): rounding to single precision then does not
@@ -23,36 +26,48 @@ class CellMatrix {
     void add(const CellStiffness& K, double factor);
     /// The same isotropic coupling on all edges of the mesh: += strength * Laplacian.
     void add_laplacian(const MeshTopology& mesh, double strength);
-    /// += factor * g g^T with g = weights[k] * direction at nodes[k], but without what the sum of
-    /// the weights makes of it: for springs to nodes elsewhere, whose sum with these is zero.
-    void add_between(const std::array<int, 3>& nodes, const std::array<double, 3>& weights,
-                     const Vec3& direction, double factor);
+    /// += factor * g g^T with g = weights[k] * direction at the corners of a triangle, but without
+    /// what the sum of the weights makes of it: for springs to nodes elsewhere, whose sum with
+    /// these is zero.
+    void add_between(int triangle, const std::array<double, 3>& weights, const Vec3& direction,
+                     double factor);
 
-    /// out += matrix * u; both [n_nodes].
-    void add_product(std::span<const Vec3> u, std::span<Vec3> out) const;
-    void add_product(std::span<const Lanes> u, std::span<Lanes> out) const;
-    /// Adds the 3x3 diagonal blocks to `blocks` [n_nodes].
-    void add_diagonal(std::span<Mat3> blocks) const;
-    /// What it has against moving all nodes alike: T^T matrix T with T = (1, 1, ...).
-    [[nodiscard]] Mat3 against_translation() const;
-    /// The same of turning: R^T matrix R, where R_i omega = omega x arm[i], arm [n_nodes].
-    [[nodiscard]] Mat3 against_rotation(std::span<const Vec3> arm) const;
+    /// [pairs of nodes] W
+    [[nodiscard]] std::span<const Block3> blocks() const { return blocks_; }
+    /// What sees a translation: walls.
+    [[nodiscard]] std::span<const CellStiffness::Node> walls() const { return walls_; }
 
   private:
-    /// The block between two different nodes gets factor * g_i g_j^T of a squared form.
-    void add_square(int i, int j, float factor, const std::array<float, 3>& g_i,
-                    const std::array<float, 3>& g_j) {
-        block(i, j).add_outer(-factor, i < j ? g_i : g_j, i < j ? g_j : g_i);
-    }
-    [[nodiscard]] Block3& block(int i, int j) {
-        return blocks_[couplings_->pair(i < j ? i : j, i < j ? j : i)];
-    }
-    template <class Vector>
-    void add_any_product(std::span<const Vector> u, std::span<Vector> out) const;
+    /// A block between two nodes of an element, and whether the first of them has the larger
+    /// number.
+    struct Place {
+        std::uint32_t block;
+        bool is_swapped;
+    };
+    /// Where the blocks of a list's elements are. The next cell has the same list, mostly: what was
+    /// found for its element of the same number need only be compared.
+    template <std::size_t N> class Places {
+      public:
+        using Nodes = std::array<CellStiffness::Index, N>;
+        using OfElement = std::array<Place, N*(N - 1) / 2>;  // (0, 1), (0, 2) ... (1, 2) ...
+        const OfElement& find(std::size_t element, const Nodes& nodes,
+                              const NodeCouplings& couplings);
+
+      private:
+        struct Entry {
+            Nodes nodes;
+            OfElement places;
+        };
+        std::vector<Entry> entries_;
+    };
 
     const NodeCouplings* couplings_ = nullptr;
-    std::vector<Block3> blocks_;              // [pairs of nodes] W
-    std::vector<CellStiffness::Node> nodes_;  // what sees a translation: walls
+    std::vector<Block3> blocks_;
+    std::vector<CellStiffness::Node> walls_;
+    std::uint64_t serial_ = 0;  // of the couplings whose places are remembered
+    Places<2> edges_;
+    Places<3> normals_, triangles_;
+    Places<4> hinges_;
 };
 
 }  // namespace spheroscope

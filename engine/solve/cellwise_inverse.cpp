@@ -22,11 +22,7 @@ void CellwiseInverse<Vector>::prepare(const VelocitySystem& system, Workers& wor
         if (!has_volume) return;
         const double coefficient = system.volume_kPa_s_per_um3[idx(cell)];
         if (coefficient == 0.0) return;
-        thread_local std::vector<Vector> gradient;
-        const std::span<const Vec3> s = system.model.cell_nodes(system.volume_gradient_um2, cell);
-        gradient.resize(s.size());
-        std::transform(s.begin(), s.end(), gradient.begin(),
-                       [](const Vec3& v) { return VectorTraits<Vector>::from(v); });
+        const std::span<const Vector> gradient = system.volume_gradient<Vector>(cell);
         const std::span<Vector> w =
             system.model.cell_nodes(std::span<Vector>(inverse_times_gradient_), cell);
         apply_base(cell, gradient, w);
@@ -80,7 +76,7 @@ void BlockJacobi::prepare_cell(const VelocitySystem& system, int cell) {
     middle_um_[idx(cell)] = middle;
     resistance_[idx(cell)] = resistance;
 
-    system.cells[idx(cell)].add_diagonal(blocks);
+    system.cells->add_diagonal(cell, blocks);
     const std::span<std::array<Lanes, 3>> out =
         system.model.cell_nodes(std::span<std::array<Lanes, 3>>(inverse_), cell);
     double trace = 0.0;

@@ -47,7 +47,9 @@ class ConjugateGradients::Solve {
           const Preconditioner& preconditioner, std::span<const Vec3> b, std::span<Vec3> x,
           Workers::Member& member)
         : arrays_(arrays), system_(system), preconditioner_(preconditioner), b_(b), x_(x),
-          member_(member), cells_(member.share(system.model.n_cells())),
+          member_(member), teams_(system.teams()),
+          own_teams_(teams_.share(member)), cells_{first_cell_of(own_teams_.begin),
+                                                   first_cell_of(own_teams_.end)},
           groups_(member.share(system.n_groups())), motions_(preconditioner.rigid_motions()),
           translations_(arrays.translations_[idx(member.index())]) {}
 
@@ -78,13 +80,20 @@ class ConjugateGradients::Solve {
     }
 
   private:
-    template <class V> std::span<V> of_cell(std::vector<V>& values, int cell) const {
-        return system_.model.cell_nodes(std::span<V>(values), cell);
+    [[nodiscard]] int first_cell_of(int team) const {
+        return team < teams_.n_teams() ? teams_.cells_of(team).begin : system_.model.n_cells();
+    }
+    template <class Array> auto of_cell(Array& values, int cell) const {
+        return system_.model.cell_nodes(std::span(values), cell);
     }
 
     template <class V> void multiply_groups(std::span<const V> u) {
         for (int g = groups_.begin; g < groups_.end; ++g) system_.product_of_group(g, u);
         member_.wait();
+    }
+    template <class V> void multiply_teams(std::span<const V> u, std::span<V> out) {
+        for (int team = own_teams_.begin; team < own_teams_.end; ++team)
+            system_.product_of_team(team, u, out);
     }
 
     /// z = B r, and the sums of r with z and with itself. The part of z that moves cells as wholes
@@ -127,12 +136,12 @@ class ConjugateGradients::Solve {
     /// r = b - A x; correction = 0.
     void residual_in_double() {
         multiply_groups(std::span<const Vec3>(x_));
+        multiply_teams(std::span<const Vec3>(x_), std::span<Vec3>(arrays_.exact_product_));
         for (int cell = cells_.begin; cell < cells_.end; ++cell) {
-            const std::span<Vec3> q = of_cell(arrays_.exact_product_, cell);
+            const std::span<const Vec3> q = of_cell(arrays_.exact_product_, cell);
             const std::span<Lanes> r = of_cell(arrays_.residual_, cell);
             const std::span<Lanes> correction = of_cell(arrays_.correction_, cell);
             const std::span<const Vec3> b = system_.model.cell_nodes(b_, cell);
-            system_.product_of_cell(cell, std::span<const Vec3>(x_), q);
             double bb = 0.0, rr = 0.0;
             for (std::size_t i = 0; i < r.size(); ++i) {
                 const Vec3 residual = b[i] - q[i];
@@ -160,12 +169,12 @@ class ConjugateGradients::Solve {
         member_.wait();
         const std::span<const Lanes> start(arrays_.direction_);
         multiply_groups(start);
+        multiply_teams(start, std::span<Lanes>(arrays_.product_));
         for (int cell = cells_.begin; cell < cells_.end; ++cell) {
             const std::span<Lanes> r = of_cell(arrays_.residual_, cell);
-            const std::span<Lanes> q = of_cell(arrays_.product_, cell);
+            const std::span<const Lanes> q = of_cell(arrays_.product_, cell);
             const std::span<Lanes> correction = of_cell(arrays_.correction_, cell);
             const std::span<const Vec3> b = system_.model.cell_nodes(b_, cell);
-            system_.product_of_cell(cell, start, q);
             double bb = 0.0;
             for (std::size_t i = 0; i < r.size(); ++i) {
                 r[i] = Lanes(b[i]) - q[i];
@@ -198,13 +207,16 @@ class ConjugateGradients::Solve {
             }
             member_.wait();
             multiply_groups(direction);
-            for (int cell = cells_.begin; cell < cells_.end; ++cell) {
-                const std::span<Lanes> q = of_cell(arrays_.product_, cell);
-                const std::span<const Lanes> p = of_cell(arrays_.direction_, cell);
-                system_.product_of_cell(cell, direction, q);
-                LaneSum pq;
-                for (std::size_t i = 0; i < q.size(); ++i) pq.add(i, p[i], q[i]);
-                arrays_.sum_pq_[idx(cell)] = pq.total();
+            for (int team = own_teams_.begin; team < own_teams_.end; ++team) {
+                system_.product_of_team(team, direction, std::span<Lanes>(arrays_.product_));
+                const CellTeams::Range cells = teams_.cells_of(team);
+                for (int cell = cells.begin; cell < cells.end; ++cell) {
+                    const std::span<const Lanes> q = of_cell(arrays_.product_, cell);
+                    const std::span<const Lanes> p = of_cell(arrays_.direction_, cell);
+                    LaneSum pq;
+                    for (std::size_t i = 0; i < q.size(); ++i) pq.add(i, p[i], q[i]);
+                    arrays_.sum_pq_[idx(cell)] = pq.total();
+                }
             }
             member_.wait();
             const auto alpha = static_cast<float>(rz_ / total(arrays_.sum_pq_));
@@ -250,6 +262,8 @@ class ConjugateGradients::Solve {
     std::span<const Vec3> b_;
     std::span<Vec3> x_;
     Workers::Member& member_;
+    CellTeams teams_;
+    CellTeams::Range own_teams_;
     Workers::Member::Range cells_, groups_;
     const RigidMotions* motions_;  // or nullptr
     Translations& translations_;

@@ -293,15 +293,14 @@ void ContactOperator::add_diagonal(int cell, const Contacts& contacts,
     }
 }
 
-void ContactOperator::add_own_stiffness(int cell, const Model& model, const Contacts& contacts,
+void ContactOperator::add_own_stiffness(int cell, const Contacts& contacts,
                                         double stiffness_kPa_s_per_um, CellMatrix& matrix) {
     for (const Contacts::Side& side : contacts.sides_of(cell)) {
         const Contacts::Group& group = contacts.groups[idx(side.group)];
         for (const ContactPair& pair : Contacts::pairs_of(group))
-            matrix.add_between(
-                model.topology->triangles[idx(side.is_a ? pair.triangle_a : pair.triangle_b)],
-                side.is_a ? pair.lambda : pair.mu, pair.normal,
-                stiffness_kPa_s_per_um * pair.area_um2);
+            matrix.add_between(side.is_a ? pair.triangle_a : pair.triangle_b,
+                               side.is_a ? pair.lambda : pair.mu, pair.normal,
+                               stiffness_kPa_s_per_um * pair.area_um2);
     }
 }
 

@@ -54,8 +54,8 @@ class ContactOperator {
     void add_diagonal(int cell, const Contacts& contacts, std::span<Mat3> blocks) const;
     /// The stiffness couples the nodes of a triangle among themselves, too: they share one spring.
     /// Without this part the springs resist more than they should, and slow creep is slower still.
-    static void add_own_stiffness(int cell, const Model& model, const Contacts& contacts,
-                                  double stiffness_kPa_s_per_um, CellMatrix& matrix);
+    static void add_own_stiffness(int cell, const Contacts& contacts, double stiffness_kPa_s_per_um,
+                                  CellMatrix& matrix);
 
   private:
     /// Node of A (the row it is in) with a node of B: one cache line holds two of them.

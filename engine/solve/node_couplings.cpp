@@ -1,12 +1,15 @@
 #include "engine/solve/node_couplings.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <utility>
 
 namespace spheroscope {
 
 NodeCouplings::NodeCouplings(const MeshTopology& mesh) {
+    static std::atomic<std::uint64_t> n_made{0};
+    serial_ = ++n_made;
     std::vector<std::pair<int, int>> pairs;
     for (const MeshTopology::Edge& e : mesh.edges) {
         pairs.emplace_back(std::min(e.i, e.j), std::max(e.i, e.j));
@@ -27,6 +30,12 @@ NodeCouplings::NodeCouplings(const MeshTopology& mesh) {
         std::copy(others(i).begin(), others(i).end(),
                   padded_.begin() +
                       static_cast<std::ptrdiff_t>(static_cast<std::size_t>(i) * width_));
+    for (const MeshTopology::Triangle& t : mesh.triangles) {
+        const auto pair_of = [&](std::size_t m, std::size_t n) {
+            return static_cast<std::uint32_t>(pair(std::min(t[m], t[n]), std::max(t[m], t[n])));
+        };
+        of_triangle_.push_back({pair_of(0, 1), pair_of(0, 2), pair_of(1, 2)});
+    }
 }
 
 }  // namespace spheroscope

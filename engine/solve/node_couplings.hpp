@@ -2,6 +2,7 @@
 
 #include "engine/model/mesh_topology.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,6 +14,8 @@ namespace spheroscope {
 class NodeCouplings {
   public:
     explicit NodeCouplings(const MeshTopology& mesh);
+    NodeCouplings(const NodeCouplings&) = delete;
+    NodeCouplings& operator=(const NodeCouplings&) = delete;
 
     [[nodiscard]] int n_nodes() const { return static_cast<int>(begin_.size()) - 1; }
     [[nodiscard]] std::size_t n_pairs() const { return other_.size(); }
@@ -30,13 +33,21 @@ class NodeCouplings {
             n_smaller = static_cast<std::uint16_t>(n_smaller + (row[k] < j ? 1 : 0));
         return first(i) + n_smaller;
     }
+    /// Numbers of the pairs of a triangle's corners: (0, 1), (0, 2), (1, 2).
+    [[nodiscard]] const std::array<std::uint32_t, 3>& pairs_of_triangle(int triangle) const {
+        return of_triangle_[static_cast<std::size_t>(triangle)];
+    }
+    /// No other object of this class has the same; what is remembered of one belongs to it alone.
+    [[nodiscard]] std::uint64_t serial() const { return serial_; }
 
   private:
+    std::uint64_t serial_;
     std::vector<std::size_t> begin_;    // [n_nodes + 1]
     std::vector<std::uint16_t> other_;  // [n_pairs]
     std::size_t width_ = 0;             // of the longest row, a multiple of 8
     std::vector<std::uint16_t>
         padded_;  // [n_nodes x width_] rows of other_, then the largest value
+    std::vector<std::array<std::uint32_t, 3>> of_triangle_;
 };
 
 }  // namespace spheroscope

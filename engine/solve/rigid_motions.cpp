@@ -31,8 +31,7 @@ void RigidMotions::prepare(const VelocitySystem& system, std::span<const Vec3> m
             arm[i] = Lanes(from_middle[i]);
         }
         const Mat3 inverse =
-            (resistance[idx(cell)] + system.cells[idx(cell)].against_rotation(from_middle))
-                .inverse();
+            (resistance[idx(cell)] + system.cells->against_rotation(cell, from_middle)).inverse();
         for (int k = 0; k < 3; ++k) compliance_[idx(cell)][idx(k)] = Lanes(Vec3(inverse.col(k)));
     });
     workers.loop(system.n_groups(), [&](int g) { of_pairs_[idx(g)] = system.pairs.sum_of(g); });
@@ -46,7 +45,7 @@ bool RigidMotions::factor_translations(const VelocitySystem& system) {
         for (const double of_node : system.model.cell_nodes(system.drag_nN_s_per_um, cell))
             drag += of_node;
         own[idx(cell)].diagonal().setConstant(drag);
-        own[idx(cell)] += system.cells[idx(cell)].against_translation();
+        own[idx(cell)] += system.cells->against_translation(cell);
     }
     std::vector<SparseCholesky::Entry> entries;
     const auto put = [&](int a, int b, const Mat3& block) {  // a >= b

@@ -88,6 +88,7 @@ std::optional<Trouble> System::evaluate(std::span<const Vec3> x_um,
     now_.pairs.clear();
     now_.has_pairs = false;
     now_.assembled_dt_s = 0.0;
+    now_.volume_gradient_in_single.clear();
     if (needs_ != Need::none)
         workers_.loop(model_.n_cells(), [&](int cell) {
             now_.geometry.compute_cell(model_, now_.x_um, needs_, cell);
@@ -121,24 +122,33 @@ void System::assemble(double dt_s) {
         now_.pairs.build(model_, now_.contacts, parts_.frictions.contact, contact_kPa_s_per_um,
                          workers_);
     now_.has_pairs = true;
-    now_.cells.resize(model_.radius_um.size());
-    const Configuration at = configuration();
-    workers_.loop(model_.n_cells(), [&](int cell) {
-        thread_local CellStiffness K;
-        K.clear();
-        for (const auto& term : parts_.terms)
-            if (acts(*term)) term->add_stiffness(at, cell, K);
-        CellMatrix& matrix = now_.cells[idx(cell)];
-        matrix.clear(couplings_);
-        matrix.add(K, dt_s);
-        if (parts_.frictions.edge_nN_s_per_um > 0.0)
-            matrix.add_laplacian(*model_.topology, parts_.frictions.edge_nN_s_per_um);
-        if (parts_.contact)
-            ContactOperator::add_own_stiffness(cell, model_, now_.contacts, contact_kPa_s_per_um,
-                                               matrix);
+    now_.cells.allocate(couplings_, model_.n_cells());
+    workers_.loop(now_.cells.teams().n_teams(), [&](int team) {
+        thread_local std::array<CellMatrix, CellTeams::k_members> matrices;
+        const CellTeams::Range cells = now_.cells.teams().cells_of(team);
+        const std::span<CellMatrix> of_team =
+            std::span(matrices).first(idx(cells.end - cells.begin));
+        for (int cell = cells.begin; cell < cells.end; ++cell)
+            assemble_cell(cell, dt_s, of_team[idx(cell - cells.begin)]);
+        now_.cells.set(team, of_team);
     });
     now_.assembled_dt_s = dt_s;
     ++work_.stiffness_evaluations;
+}
+
+void System::assemble_cell(int cell, double dt_s, CellMatrix& matrix) const {
+    thread_local CellStiffness K;
+    K.clear();
+    const Configuration at = configuration();
+    for (const auto& term : parts_.terms)
+        if (acts(*term)) term->add_stiffness(at, cell, K);
+    matrix.clear(couplings_);
+    matrix.add(K, dt_s);
+    if (parts_.frictions.edge_nN_s_per_um > 0.0)
+        matrix.add_laplacian(*model_.topology, parts_.frictions.edge_nN_s_per_um);
+    if (parts_.contact)
+        ContactOperator::add_own_stiffness(cell, now_.contacts, dt_s * parts_.contact->k_kPa_per_um,
+                                           matrix);
 }
 
 void System::assemble_friction() {
@@ -197,14 +207,18 @@ VelocitySystem System::velocity_system(double dt_s, std::span<const double> volu
         assemble(dt_s);
     else
         assemble_friction();
+    if (!volume_kPa_s_per_um3.empty() && now_.volume_gradient_in_single.empty())
+        for (const Vec3& S : now_.geometry.volume_gradient_um2)
+            now_.volume_gradient_in_single.emplace_back(S);
     return {model_,
             now_.contacts,
             drag_,
             parts_.frictions.edge_nN_s_per_um,
             now_.pairs,
-            dt_s > 0.0 ? std::span<const CellMatrix>(now_.cells) : std::span<const CellMatrix>(),
+            dt_s > 0.0 ? &now_.cells : nullptr,
             volume_kPa_s_per_um3,
             now_.geometry.volume_gradient_um2,
+            now_.volume_gradient_in_single,
             now_.x_um};
 }
 

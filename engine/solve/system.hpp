@@ -127,7 +127,8 @@ class System {
         Contacts contacts;
         std::vector<Vec3> force_nN;
         ContactOperator pairs;
-        std::vector<CellMatrix> cells;
+        CellMatrices cells;
+        std::vector<Lanes> volume_gradient_in_single;  // [all nodes], or empty: not needed
         double assembled_dt_s = 0.0;  // of `cells` and the stiffness in `pairs`; 0: not there
         bool has_pairs = false;       // the friction in `pairs` is there
     };
@@ -135,6 +136,7 @@ class System {
     void allocate(Evaluation& evaluation) const;
     [[nodiscard]] std::optional<Trouble> find_trouble();
     void assemble(double dt_s);
+    void assemble_cell(int cell, double dt_s, CellMatrix& matrix) const;
     void assemble_friction();
     /// Conjugate gradients, with a report to the witness.
     [[nodiscard]] SolveOutcome iterate(const VelocitySystem& system,

@@ -92,7 +92,7 @@ TEST_F(ImplicitSystem, HasTheDiagonalBlocksOfItsProduct) {
         const std::span<const double> drag = cells.model.cell_nodes(matrix.drag_nN_s_per_um, cell);
         std::vector<Mat3> blocks;
         for (const double d : drag) blocks.emplace_back(d * Mat3::Identity());
-        matrix.cells[static_cast<std::size_t>(cell)].add_diagonal(blocks);
+        matrix.cells->add_diagonal(cell, blocks);
         matrix.pairs.add_diagonal(cell, matrix.contacts, blocks);
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             const auto row = static_cast<Eigen::Index>(
@@ -115,9 +115,9 @@ TEST_F(ImplicitSystem, InSinglePrecisionIsTheSameProduct) {
     matrix.product(u, out, system.workers());
     for (int g = 0; g < matrix.n_groups(); ++g)
         matrix.product_of_group(g, std::span<const Lanes>(u_single));
-    for (int cell = 0; cell < 2; ++cell)
-        matrix.product_of_cell(cell, std::span<const Lanes>(u_single),
-                               cells.model.cell_nodes(std::span<Lanes>(out_single), cell));
+    for (int team = 0; team < matrix.teams().n_teams(); ++team)
+        matrix.product_of_team(team, std::span<const Lanes>(u_single),
+                               std::span<Lanes>(out_single));
     double largest_of_all = 0.0;
     for (const Vec3& y : out) largest_of_all = std::max(largest_of_all, y.norm());
     for (std::size_t i = 0; i < n; ++i) {
