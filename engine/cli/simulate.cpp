@@ -124,7 +124,7 @@ void take_from_file(const RunFileReader& reader, const scene::Scene& scene,
 }
 
 /// The same run with half the steps, without frames. If it comes to no end the error of the time
-/// steps stays a guess, and the log says why.
+/// steps stays unknown, and the log says why.
 void measure_time_error(const scene::Scene& scene, const EngineOptions& options,
                         const std::atomic<bool>& stop, RunResult& result) {
     const MethodRow& method = chosen_method(scene);
@@ -146,28 +146,32 @@ void measure_time_error(const scene::Scene& scene, const EngineOptions& options,
                         other.outcome, other.message));
 }
 
-/// The same run, without frames, on the next coarser mesh. If it comes to no end the error of the
-/// mesh stays unknown, and the log says why.
+/// The same run, without frames, on the next coarser mesh, and on the one below that where there is
+/// one. If one comes to no end the error of the mesh stays unknown, and the log says why.
 void estimate_mesh_error(const scene::Scene& scene, const EngineOptions& options,
                          const std::atomic<bool>& stop, RunResult& result) {
-    // Each subdivision makes 4 n - 6 nodes of n.
-    scene::Scene coarser = scene::on_mesh(scene, (scene.cells.nodes + 6) / 4);
-    for (scene::Stage& stage : coarser.stages) stage.frames = 0;
-    log_info(fmt::format("once more with {} nodes per cell, for the error of the mesh",
-                         coarser.cells.nodes));
-    EngineOptions once = options;
-    once.wall_limit_s = 0.0;
-    Engine engine(coarser, once);
-    EngineSinks sinks;
-    sinks.frame = [](const SnapshotPtr&) { return std::optional<std::string>(); };
-    const RunResult other = engine.run(sinks, stop);
-    result.wall_s += other.wall_s;
-    if (is_over(other.verdict))
-        add_mesh_error(result.errors, other.totals);
-    else
-        log_warning(
-            fmt::format("the run on the coarser mesh ended as '{}': no error of the mesh {}",
-                        other.outcome, other.message));
+    std::vector<Totals> ends;
+    // Each subdivision makes 4 n - 6 nodes of n, the first one 42.
+    for (int nodes = (scene.cells.nodes + 6) / 4; nodes >= 42 && ends.size() < 2;
+         nodes = (nodes + 6) / 4) {
+        scene::Scene coarser = scene::on_mesh(scene, nodes);
+        for (scene::Stage& stage : coarser.stages) stage.frames = 0;
+        log_info(fmt::format("once more with {} nodes per cell, for the error of the mesh", nodes));
+        EngineOptions once = options;
+        once.wall_limit_s = 0.0;
+        Engine engine(coarser, once);
+        EngineSinks sinks;
+        sinks.frame = [](const SnapshotPtr&) { return std::optional<std::string>(); };
+        const RunResult other = engine.run(sinks, stop);
+        result.wall_s += other.wall_s;
+        if (!is_over(other.verdict)) {
+            log_warning(fmt::format("the run on {} nodes ended as '{}': no error of the mesh {}",
+                                    nodes, other.outcome, other.message));
+            return;
+        }
+        ends.push_back(other.totals);
+    }
+    add_mesh_error(result.errors, ends);
 }
 
 SimulationSummary summary_of_finished(const RunPlace& place, const scene::Scene& scene) {
@@ -358,12 +362,14 @@ std::string summary_text(const SimulationSummary& summary, const RunPlace& place
         fmt::format("steps                {} ({} rejected)\n", r.work.steps, r.work.rejected_steps);
     if (!summary.contact_arithmetic.empty())
         text += fmt::format("contact kernel       {}\n", summary.contact_arithmetic);
-    text += totals_text(r.totals);
-    text += accuracy_text(r.errors);
-    for (const Expectation& row : summary.expectations)
+    text += totals_text(r.totals, r.errors);
+    text += accuracy_text(r.errors, r.wall_s);
+    for (const Expectation& row : summary.expectations) {
+        const bool is_shown = is_resolved(*find_total(row.measure), r.errors);
         text += fmt::format("expect {:<22} {} in [{:.6g}, {:.6g}] {}: {}\n", row.measure,
-                            fmt::format("{:.6g}", row.value), row.min, row.max, row.unit,
-                            row.met ? "met" : "NOT MET");
+                            is_shown ? fmt::format("{:.6g}", row.value) : "(not resolved)", row.min,
+                            row.max, row.unit, row.met ? "met" : "NOT MET");
+    }
     text += fmt::format("state hash           {}\nwritten to           {}\n",
                         summary.state_hash
                             ? hash_text(*summary.state_hash)
@@ -390,6 +396,7 @@ nlohmann::json summary_json(const SimulationSummary& summary, const RunPlace& pl
             {"wall_s", r.wall_s},
             {"frames", r.frames},
             {"totals", totals_json(r.totals)},
+            {"not_resolved", not_resolved_json(r.errors)},
             {"errors", accuracy_json(r.errors)},
             {"work", work_json(r.work)},
             {"contact_arithmetic", summary.contact_arithmetic},

@@ -7,14 +7,17 @@
 
 namespace spheroscope::cli {
 
-std::string totals_text(const Totals& totals) {
+std::string totals_text(const Totals& totals, std::span<const MeasureError> errors) {
     std::string text;
     for (const TotalsRow& row : all_totals()) {
         const double value = value_of(row, totals);
-        const std::string shown = std::isnan(value) ? "undefined" : fmt::format("{:.5g}", value);
-        text +=
-            fmt::format("{:<20} {}{}\n", row.name, shown,
-                        row.unit == "1" || std::isnan(value) ? "" : " " + std::string(row.unit));
+        std::string shown = "undefined";
+        if (!is_resolved(row, errors))
+            shown = "not resolved";
+        else if (!std::isnan(value))
+            shown =
+                fmt::format("{:.5g}{}", value, row.unit == "1" ? "" : " " + std::string(row.unit));
+        text += fmt::format("{:<20} {}\n", row.name, shown);
     }
     return text;
 }
@@ -27,6 +30,13 @@ nlohmann::json totals_json(const Totals& totals) {
             std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
     }
     return object;
+}
+
+nlohmann::json not_resolved_json(std::span<const MeasureError> errors) {
+    nlohmann::json names = nlohmann::json::array();
+    for (const TotalsRow& row : all_totals())
+        if (!is_resolved(row, errors)) names.push_back(row.name);
+    return names;
 }
 
 nlohmann::json work_json(const Work& work) {

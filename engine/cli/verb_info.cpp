@@ -51,6 +51,7 @@ nlohmann::json describe(const RunFileReader& reader, const SnapshotPtr& last) {
         document["rejected_steps"] = last->diagnostics.rejected_steps;
         document["linear_iterations"] = last->diagnostics.linear_iterations;
         document["totals"] = totals_json(last->totals);
+        document["not_resolved"] = not_resolved_json(reader.end().errors);
     }
     return document;
 }
@@ -83,7 +84,8 @@ std::string describe_in_words(const RunFileReader& reader, const SnapshotPtr& la
                         last->time_s, last->stage_name, last->diagnostics.steps,
                         last->diagnostics.rejected_steps,
                         counted(last->diagnostics.linear_iterations, "linear iteration"));
-    return text + totals_text(last->totals) + accuracy_text(reader.end().errors);
+    return text + totals_text(last->totals, reader.end().errors) +
+           accuracy_text(reader.end().errors, reader.end().wall_time_s);
 }
 
 ExitCode info_of_one(const InfoArguments& arguments) {

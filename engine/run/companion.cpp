@@ -32,11 +32,7 @@ scene::Scene with_half_steps(const scene::Scene& scene, double time_s, std::int6
 void set_time_error(std::vector<MeasureError>& errors, const Totals& finer, int order) {
     const double factor = 1.0 / (1.0 - std::pow(2.0, -order));
     for (MeasureError& error : errors)
-        for (const TotalsRow& row : all_totals())
-            if (row.name == error.measure) {
-                error.time = factor * std::abs(value_of(row, finer) - error.value);
-                error.time_is_measured = true;
-            }
+        error.time = factor * std::abs(value_of(*find_total(error.measure), finer) - error.value);
 }
 
 }  // namespace spheroscope

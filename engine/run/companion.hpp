@@ -12,8 +12,8 @@ namespace spheroscope {
 [[nodiscard]] scene::Scene with_half_steps(const scene::Scene& scene, double time_s,
                                            std::int64_t steps);
 
-/// Replaces the error by the time steps with the one that follows from the end of a run
-/// with_half_steps, by Richardson: the difference over 1 - 2^-order.
+/// Adds the error by the time steps, from the end of a run with_half_steps, by Richardson: the
+/// difference over 1 - 2^-order.
 void set_time_error(std::vector<MeasureError>& errors, const Totals& finer, int order);
 
 }  // namespace spheroscope

@@ -116,7 +116,7 @@ void Engine::refine_to(int n_nodes) {
     state.v_um_per_s.assign(state.x_um.size(), Vec3::Zero());
     state.has_velocity = false;
     state.next_dt_s = 0.0;
-    run_.errors.forget_velocities();
+    run_.approach.forget_step();
 }
 
 Engine::~Engine() = default;
@@ -286,7 +286,7 @@ Engine::Next Engine::take_step(double limit_s) {
     d.force_residual_nN = step.force_rms_nN;
     d.force_balance_nN = step.force_sum_nN;
     d.step_error_um = step.error_um;
-    run_.errors.after_step(step.dt_s, run_.state.v_um_per_s);
+    run_.approach.after_step(step.dt_s);
     run_.dissipation_nN_um_per_s = step.dissipation_nN_um_per_s;
     run_.dissipated_fJ += step.dt_s * step.dissipation_nN_um_per_s;
     run_.driven_fJ += step.dt_s * step.drive_power_nN_um_per_s;
@@ -301,7 +301,7 @@ bool Engine::measurement_is_due(const scene::Stage& stage) const {
 Engine::Next Engine::measure_stage(const Stage& stage, StageEnd& end) {
     if (run_.state.time_s >= next_output_s(stage.parameters())) ++run_.outputs_in_stage;
     const Totals totals = measure();
-    run_.errors.after_measurement(run_.state.time_s, run_.state.v_um_per_s);
+    run_.approach.after_measurement(run_.state.time_s, run_.state.v_um_per_s);
     StageContext context = stage_context();
     if (end == StageEnd::none || end == StageEnd::cap || end == StageEnd::done) {
         const StageEnd met = stage.after_measure(context, totals);

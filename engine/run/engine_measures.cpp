@@ -6,12 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace spheroscope {
 namespace {
-
-constexpr double k_unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// What hull and probe do to the cells in the system's last evaluation.
 void add_load(const System& system, const Load& load, Totals& totals) {
@@ -108,20 +105,23 @@ std::optional<Totals> Engine::totals_moved_by(std::span<const Vec3> displacement
 
 std::vector<MeasureError> Engine::estimate_errors() {
     if (run_.diagnostics.steps == 0 || scene_.stages.empty()) return {};
-    const ErrorCollector& seen = run_.errors;
-    const std::optional<Totals> before = totals_moved_by(seen.last_step_back_um());
     // Only what was to come to rest is wrong by not being there.
     const bool wants_rest =
         std::any_of(scene_.stages.begin(), scene_.stages.end(), [](const scene::Stage& stage) {
             return stage.until != scene::Until::duration;
         });
-    const MethodRow& method = chosen_method(scene_);
-    std::vector<MeasureError> errors = measure_errors(
-        result_.totals, before ? &*before : nullptr, seen.last_step_s(),
-        seen.time_error_s(method.order),
-        wants_rest ? seen.missing_time_s(run_.state.time_s - run_.memory.start_s) : k_unknown);
+    const double last_step_s = run_.approach.last_step_s();
+    std::optional<Totals> before;
+    if (wants_rest && last_step_s > 0.0) {
+        std::vector<Vec3> back_um;
+        for (const Vec3& v : run_.state.v_um_per_s) back_um.push_back(-last_step_s * v);
+        before = totals_moved_by(back_um);
+    }
+    std::vector<MeasureError> errors =
+        measure_errors(result_.totals, before ? &*before : nullptr, last_step_s,
+                       run_.approach.missing_time_s(run_.state.time_s - run_.memory.start_s));
     for (MeasureError& error : errors)
-        error.halves_time = advice_on_time_steps(method, has_fixed_steps(scene_));
+        error.halves_time = advice_on_time_steps(chosen_method(scene_), has_fixed_steps(scene_));
     return errors;
 }
 

@@ -94,11 +94,9 @@ CheckpointData save(const RunState& run) {
     const Diagnostics& d = run.diagnostics;
     f["diagnostics"] = {d.dt_s,          d.force_residual_nN, d.force_balance_nN,
                         d.step_error_um, d.wall_radius_um,    d.wall_force_nN};
-    const ErrorCollector::Memory& m = run.errors.memory;
-    f["error_sums"] = {m.sum_dt2_s2, m.sum_dt3_s3,        m.dt_s[0],
-                       m.dt_s[1],    m.dt_s[2],           m.time_s[0],
-                       m.time_s[1],  m.speed_um_per_s[0], m.speed_um_per_s[1]};
-    for (std::size_t k = 0; k < 3; ++k) f["error_v_" + std::to_string(k)] = flat(m.v_um_per_s[k]);
+    const ApproachToRest::Memory& m = run.approach.memory;
+    f["approach_to_rest"] = {m.dt_s, m.time_s[0], m.time_s[1], m.speed_um_per_s[0],
+                             m.speed_um_per_s[1]};
     i["counters"] = {d.steps, d.rejected_steps, d.linear_iterations};
     i["schedule"] = {run.stage,
                      run.stage_has_begun ? 1 : 0,
@@ -150,15 +148,8 @@ RunState load_run_state(const CheckpointData& data) {
     d.step_error_um = diagnostics[3];
     d.wall_radius_um = diagnostics[4];
     d.wall_force_nN = diagnostics[5];
-    ErrorCollector::Memory& m = run.errors.memory;
-    const auto& sums = find(f, "error_sums", 9);
-    m.sum_dt2_s2 = sums[0];
-    m.sum_dt3_s3 = sums[1];
-    for (std::size_t k = 0; k < 3; ++k) m.dt_s[k] = sums[2 + k];
-    for (std::size_t k = 0; k < 2; ++k) m.time_s[k] = sums[5 + k];
-    for (std::size_t k = 0; k < 2; ++k) m.speed_um_per_s[k] = sums[7 + k];
-    for (std::size_t k = 0; k < 3; ++k)
-        m.v_um_per_s[k] = unflat(find(f, "error_v_" + std::to_string(k), 0));
+    const auto& approach = find(f, "approach_to_rest", 5);
+    run.approach.memory = {approach[0], {approach[1], approach[2]}, {approach[3], approach[4]}};
     const auto& counters = find(i, "counters", 3);
     d.steps = counters[0];
     d.rejected_steps = counters[1];

@@ -28,7 +28,7 @@ struct RunState {
     double energy_fJ = 0.0;      ///< at the last measurement
     double dissipated_fJ = 0.0;  ///< integral of v . Gamma v since then
     double driven_fJ = 0.0;      ///< work put in by the wall and the controller since then
-    ErrorCollector errors;
+    ApproachToRest approach;
     Diagnostics diagnostics;
     StageEnd end = StageEnd::none;  ///< how the last finished stage ended
     bool met_cap = false;           ///< a stage has ended at its cap

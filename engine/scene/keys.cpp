@@ -490,11 +490,11 @@ const auto& keys() {
         Key{"measures", "time_error", reach<&S::measures, &Measures::time_error>(), number, {}, {},
             {}, "", k_ours,
             "Run once more with steps half as long (about twice the time), and say how wrong the "
-            "measures are by the time steps; without it that error is a guess from the last step alone."},
+            "measures are by the time steps; without it that error is not known."},
         Key{"measures", "mesh_error", reach<&S::measures, &Measures::mesh_error>(), number, {}, {},
             {}, "", k_ours,
-            "Run once more on the next coarser mesh (about a fifth of the time), and say how wrong "
-            "the measures are by the mesh."},
+            "Run once more on the next coarser mesh, and on the one below it (about a quarter of the "
+            "time), and say how wrong the measures are by the mesh."},
         Key{"picture", "name", reach<&S::pictures, &Picture::name>(), number, {}, {}, {}, "", "",
             "Part of file names; each picture has its own."},
         Key{"picture", "field", reach<&S::pictures, &Picture::field>(), number, {}, {}, {}, "", "",

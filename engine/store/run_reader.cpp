@@ -110,14 +110,17 @@ RunEnd read_end(const File& file) {
     for (const std::string_view measure : estimated_measures()) {
         const std::string group = std::string(run_format::k_accuracy) + "/" + std::string(measure);
         if (!file.exists(run_format::k_accuracy) || !file.exists(group)) continue;
-        end.errors.push_back(
-            {std::string(measure), file.text_attribute(group, "unit"),
-             file.double_attribute(group, "value"), file.double_attribute(group, "time"),
-             file.double_attribute(group, "rest"), file.double_attribute(group, "mesh"),
-             file.has_attribute(group, "time_is_measured") &&
-                 file.int_attribute(group, "time_is_measured") != 0,
-             file.has_attribute(group, "halves_time") ? file.text_attribute(group, "halves_time")
-                                                      : ""});
+        MeasureError error{std::string(measure), file.text_attribute(group, "unit"),
+                           file.double_attribute(group, "value")};
+        // Earlier versions wrote guesses as well, far too small ones: nothing was measured there.
+        if (file.has_attribute(group, "time_is_measured") &&
+            file.int_attribute(group, "time_is_measured") != 0)
+            error.time = file.double_attribute(group, "time");
+        error.mesh = file.double_attribute(group, "mesh");
+        error.rest = file.double_attribute(group, "rest");
+        if (file.has_attribute(group, "halves_time"))
+            error.halves_time = file.text_attribute(group, "halves_time");
+        end.errors.push_back(std::move(error));
     }
     return end;
 }

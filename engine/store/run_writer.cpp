@@ -34,8 +34,9 @@ void write_end(File& file, const RunEnd& end) {
         file.write_attribute(group, "unit", error.unit);
         file.write_attribute(group, "value", error.value);
         file.write_attribute(group, "time", error.time);
+        // Readers of earlier versions take an error without this for a guess.
         file.write_attribute(group, "time_is_measured",
-                             std::int64_t{error.time_is_measured ? 1 : 0});
+                             std::int64_t{std::isnan(error.time) ? 0 : 1});
         file.write_attribute(group, "halves_time", error.halves_time);
         file.write_attribute(group, "rest", error.rest);
         file.write_attribute(group, "mesh", error.mesh);

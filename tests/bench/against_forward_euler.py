@@ -55,7 +55,8 @@ def end_of(number, changes):
     folder = OUT / str(number)
     shutil.rmtree(folder, ignore_errors=True)
     command = [PROGRAM, "run", str(HERE.parent.parent / "scenes/bench/ball_13.toml"), "-o", str(folder),
-               "--quiet", "--threads", "1", "--set", 'measures.fields=["sigma_h"]']
+               "--quiet", "--threads", "1", "--set", 'measures.fields=["sigma_h"]',
+               "--set", "measures.time_error=false"]
     for change in [f"cells.nodes={NODES}", f"stage[0].duration={DURATION}", f"stage[0].every={DURATION}", *changes]:
         command += ["--set", change]
     begin = time.monotonic()

@@ -1,17 +1,20 @@
-// Every run says how wrong its end is. Here the estimates of the second runs meet the true errors,
-// on the motions of scenes/bench, for each method at several settings where these take seconds: the
-// error of the time steps against a far finer run on the same mesh, that of the mesh (162 nodes,
-// estimated with 42) against the limit extrapolated from 162 and 642 nodes. The table that this
-// prints is in engine/README.md, 'How wrong', and so is what is let off here.
+// The errors that a run says it has meet the true ones, on the motions of scenes/bench in full
+// length: that of the time steps, for each method at three settings, against a far finer run on the
+// same mesh; that of the mesh against the limit extrapolated from the finest meshes that are
+// affordable. The tables that this prints are in engine/README.md, 'How wrong', and so is what is
+// let off here.
 #include "engine/run/companion.hpp"
 #include "engine/run/engine.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <string_view>
+#include <vector>
 
 namespace spheroscope {
 namespace {
@@ -30,121 +33,133 @@ RunResult run(const scene::Scene& scene) {
     return result;
 }
 
-std::map<std::string, MeasureError> by_name(const std::vector<MeasureError>& errors) {
-    std::map<std::string, MeasureError> map;
-    for (const MeasureError& error : errors) map[error.measure] = error;
-    return map;
+std::map<std::string, double> values_of(const RunResult& result) {
+    std::map<std::string, double> values;
+    for (const MeasureError& error : result.errors) values[error.measure] = error.value;
+    return values;
 }
 
 /// What no estimate speaks about: the last digits that are left to the linear solver.
 constexpr double k_negligible = 1e-6;
+/// What an estimate is good for: true error over estimate.
+constexpr double k_least = 0.2, k_most = 3.0;
+
+/// An estimate that is not as good, with the ratio that was measured. The test fails when it has
+/// become another one, so that this list stays true.
+struct Exemption {
+    const char *scene, *setting;
+    std::vector<std::string_view> measures;
+    double measured;
+};
+
+/// Holds the ratio to the bounds, or to twice and half of what the list has for it.
+void expect_good(double ratio, const std::vector<Exemption>& exemptions, const std::string& scene,
+                 const std::string& setting, const std::string& measure) {
+    double least = k_least, most = k_most;
+    for (const Exemption& e : exemptions)
+        if (scene == e.scene && setting == e.setting &&
+            std::ranges::count(e.measures, measure) > 0) {
+            least = 0.5 * e.measured;
+            most = 2.0 * e.measured;
+        }
+    EXPECT_GT(ratio, least) << scene << ", " << setting << ", " << measure;
+    EXPECT_LT(ratio, most) << scene << ", " << setting << ", " << measure;
+}
 
 class EstimateOnBench : public testing::TestWithParam<const char*> {};
 
 TEST_P(EstimateOnBench, OfTheTimeStepsLiesWithinAFactorOfTheTrueError) {
+    const std::vector<Exemption> exemptions{
+        // Stability bounds these steps, whatever the tolerance: half of it changes too little.
+        {"doublet_stiff", "rkc 0.006", {"contact_area", "contact_fraction"}, 5.8},
+        // Near the largest stable step the error changes its sign.
+        {"stiff_cell", "forward_euler 0.00385", {"energy"}, 0.091},
+        // By accident half of the steps changes it little: the contact fraction has 1.2.
+        {"aggregate_75", "rkc 0.0004", {"contact_area"}, 3.0},
+    };
     const std::string name = GetParam();
+    const bool is_large = name == "ball_13" || name == "aggregate_75";
     const scene::Scene exact = bench(name, {{"method.name", "rkc"},
-                                            {"method.tolerance", "2e-6"},
+                                            {"method.tolerance", is_large ? "1e-5" : "2e-6"},
                                             {"method.linear_tolerance", "1e-6"}});
-    const auto truth = by_name(run(exact).errors);
+    const auto truth = values_of(run(exact));
     struct Setting {
         const char *method, *key, *value;
-        double most = 3.0;  // true error over estimate
-        bool may_be_lucky = false;
     };
-    // Near its largest stable step the error of forward Euler changes its sign, in the stiff cell.
-    const bool changes_sign = name == "stiff_cell";
-    for (const Setting& setting :
-         {Setting{"linearly_implicit", "tolerance", "0.006"},
-          {"linearly_implicit", "tolerance", "0.0015"},
-          {"linearly_implicit", "tolerance", "0.0004"},
-          {"rosenbrock_w", "tolerance", "0.006"},
-          {"rosenbrock_w", "tolerance", "0.0015"},
-          {"rkc", "tolerance", "0.006", 8.0},  // stability bounds the steps
-          {"rkc", "tolerance", "0.0015"},
-          {"forward_euler", "dt", "0.00385", 3.0, changes_sign},
-          {"forward_euler", "dt", "0.002"},
-          {"forward_euler", "dt", "0.001"}}) {
+    for (const Setting& setting : {Setting{"linearly_implicit", "tolerance", "0.006"},
+                                   {"linearly_implicit", "tolerance", "0.0015"},
+                                   {"linearly_implicit", "tolerance", "0.0004"},
+                                   {"rosenbrock_w", "tolerance", "0.006"},
+                                   {"rosenbrock_w", "tolerance", "0.0015"},
+                                   {"rosenbrock_w", "tolerance", "0.0004"},
+                                   {"rkc", "tolerance", "0.006"},
+                                   {"rkc", "tolerance", "0.0015"},
+                                   {"rkc", "tolerance", "0.0004"},
+                                   {"forward_euler", "dt", "0.00385"},
+                                   {"forward_euler", "dt", "0.002"},
+                                   {"forward_euler", "dt", "0.001"}}) {
         const scene::Scene own =
             bench(name, {{"method.name", setting.method},
                          {std::string("method.") + setting.key, setting.value}});
         RunResult result = run(own);
-        const auto rough = by_name(result.errors);
+        for (const MeasureError& error : result.errors)
+            EXPECT_TRUE(std::isnan(error.measured())) << "one run knows no error of its own";
         const RunResult finer = run(with_half_steps(own, result.time_s, result.work.steps));
-        const MethodRow& method = *find_method(setting.method);
-        set_time_error(result.errors, finer.totals, method.order);
-        std::string line = fmt::format("{:<14} {:<18} {:<7}", name, setting.method, setting.value);
+        set_time_error(result.errors, finer.totals, find_method(setting.method)->order);
+        std::string line = fmt::format("{:<14} {:<18} {:<8}", name, setting.method, setting.value);
         for (const MeasureError& error : result.errors) {
-            const double true_error = std::abs(error.value - truth.at(error.measure).value);
+            const double true_error = std::abs(error.value - truth.at(error.measure));
+            const bool is_negligible = true_error < k_negligible * std::abs(error.value);
             const double ratio = true_error / error.time;
-            line += fmt::format(" {} {:.2g} (~{:.2g})", error.measure, ratio,
-                                true_error / rough.at(error.measure).time);
-            if (true_error < k_negligible * std::abs(error.value)) continue;
-            if (!setting.may_be_lucky) {
-                EXPECT_GT(ratio, 0.2) << line;
-            }
-            EXPECT_LT(ratio, setting.most) << line;
+            line += fmt::format(" {} {:.2g}{}", error.measure, ratio, is_negligible ? "!" : "");
+            if (!is_negligible)
+                expect_good(ratio, exemptions, name,
+                            fmt::format("{} {}", setting.method, setting.value), error.measure);
         }
         std::cout << line << "\n";
     }
 }
 
-TEST_P(EstimateOnBench, OfTheMeshLiesWithinAFactorOfTheTrueErrorWhereItFallsWithTheMesh) {
+class MeshEstimateOnBench : public testing::TestWithParam<const char*> {};
+
+TEST_P(MeshEstimateOnBench, LiesWithinAFactorOfTheTrueErrorOrIsCautious) {
     const std::string name = GetParam();
-    const std::vector<scene::Override> setting{{"method.name", "rosenbrock_w"},
-                                               {"method.tolerance", "0.0015"}};
-    const scene::Scene own = bench(name, setting);
-    RunResult result = run(own);
-    add_mesh_error(result.errors, run(scene::on_mesh(own, 42)).totals);
-    const auto finer = by_name(run(scene::on_mesh(own, 642)).errors);
-    std::string line = fmt::format("{:<14} mesh of 162 nodes ", name);
-    for (const MeasureError& error : result.errors) {
-        // the limit, from differences that fall by four
-        const double limit =
-            finer.at(error.measure).value + (finer.at(error.measure).value - error.value) / 3.0;
-        const double ratio = std::abs(error.value - limit) / error.mesh;
-        line += fmt::format(" {} {:.2g}", error.measure, ratio);
-        EXPECT_LT(ratio, 3.0) << line;
-        // Stresses of a doublet do not fall evenly: they cross their limit near this mesh.
-        if (error.measure.rfind("sigma", 0) == 0) continue;
-        EXPECT_GT(ratio, 0.2) << line;
-    }
-    std::cout << line << "\n";
+    const scene::Scene own =
+        bench(name, {{"method.name", "rosenbrock_w"}, {"method.tolerance", "0.0015"}});
+    std::map<int, RunResult> on;
+    for (const int nodes : {42, 162, 642, 2562}) on[nodes] = run(scene::on_mesh(own, nodes));
+    const auto fine = values_of(on[642]), finest = values_of(on[2562]);
+    const auto compare = [&](int nodes, const std::vector<Totals>& coarser) {
+        add_mesh_error(on[nodes].errors, coarser);
+        std::string line = fmt::format("{:<14} mesh of {} nodes ", name, nodes);
+        for (const MeasureError& error : on[nodes].errors) {
+            const double last = finest.at(error.measure);
+            const double limit = last + (last - fine.at(error.measure)) / 3.0;
+            const double ratio = std::abs(error.value - limit) / error.mesh;
+            line += fmt::format(" {} {:.2g}", error.measure, ratio);
+            EXPECT_LT(ratio, k_most) << line;
+            // On the way from 42 to 642 nodes stresses cross their limit, from 642 to 2562 contact
+            // areas do: there the true error is small by accident, and the estimate cannot know.
+            const bool may_be_lucky = error.measure.starts_with(nodes == 162 ? "sigma" : "contact");
+            if (!may_be_lucky) {
+                EXPECT_GT(ratio, k_least) << line;
+            }
+        }
+        std::cout << line << "\n";
+    };
+    compare(162, {on[42].totals});
+    compare(642, {on[162].totals, on[42].totals});
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EstimateOnBench,
-                         testing::Values("stiff_cell", "doublet_stiff", "doublet_soft"));
+                         testing::Values("stiff_cell", "doublet_stiff", "doublet_soft", "ball_13",
+                                         "aggregate_75"),
+                         [](const auto& tested) { return std::string(tested.param); });
 
-/// The largest scenes: one setting, one method each, and only the first of their motion.
-struct LargeScene {
-    const char *name, *stage, *duration_s;
-};
-class EstimateOfMany : public testing::TestWithParam<LargeScene> {};
-
-TEST_P(EstimateOfMany, OfTheTimeStepsLiesWithinAFactorOfTheTrueError) {
-    const auto& [name, stage, duration_s] = GetParam();
-    const scene::Scene own = bench(name, {{std::string(stage) + ".duration", duration_s}});
-    scene::Scene exact = own;
-    exact.method.name = "rkc";
-    exact.method.tolerance_um = 5e-5;
-    const auto truth = by_name(run(exact).errors);
-    RunResult result = run(own);
-    set_time_error(result.errors,
-                   run(with_half_steps(own, result.time_s, result.work.steps)).totals, 1);
-    std::string line = fmt::format("{:<14} linearly_implicit 0.006", name);
-    for (const MeasureError& error : result.errors) {
-        const double ratio = std::abs(error.value - truth.at(error.measure).value) / error.time;
-        line += fmt::format(" {} {:.2g}", error.measure, ratio);
-        EXPECT_GT(ratio, 0.2) << line;
-        EXPECT_LT(ratio, 3.0) << line;
-    }
-    std::cout << line << "\n";
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, EstimateOfMany,
-                         testing::Values(LargeScene{"ball_13", "stage[0]", "0.25"},
-                                         LargeScene{"aggregate_75", "stage[1]", "0.1"}),
-                         [](const auto& tested) { return std::string(tested.param.name); });
+// The aggregate would take minutes on 2562 nodes, and on fewer its limit is not known.
+INSTANTIATE_TEST_SUITE_P(Scenes, MeshEstimateOnBench,
+                         testing::Values("stiff_cell", "doublet_stiff", "doublet_soft", "ball_13"),
+                         [](const auto& tested) { return std::string(tested.param); });
 
 }  // namespace
 }  // namespace spheroscope
