@@ -30,6 +30,7 @@ enum class RandomStream : std::uint32_t {
     orientation = 5,
     fastest_mode = 6,
     bootstrap = 7,
+    turn = 8,
 };
 
 }  // namespace spheroscope

@@ -25,6 +25,23 @@ std::vector<float> field_of(const Snapshot& frame, std::string_view name) {
 
 }  // namespace
 
+int count_flipped_triangles(const MeshTopology& mesh, std::span<const Vec3> x_um) {
+    int n_flipped = 0;
+    const auto n = static_cast<std::size_t>(mesh.n_nodes());
+    for (std::size_t begin = 0; begin + n <= x_um.size(); begin += n) {
+        const std::span<const Vec3> x = x_um.subspan(begin, n);
+        const auto at = [&](int node) { return x[static_cast<std::size_t>(node)]; };
+        Vec3 centre = Vec3::Zero();
+        for (const Vec3& node : x) centre += (node - x[0]) / static_cast<double>(n);
+        centre += x[0];
+        for (const auto& [i, j, k] : mesh.triangles) {
+            const Vec3 normal = (at(j) - at(i)).cross(at(k) - at(i));
+            if (normal.dot((at(i) + at(j) + at(k)) / 3.0 - centre) < 0.0) ++n_flipped;
+        }
+    }
+    return n_flipped;
+}
+
 MeasuredRun measure_run(const scene::Scene& scene, const MeasuredRunOptions& options) {
     EngineOptions engine_options;
     engine_options.threads = options.threads;
@@ -38,8 +55,15 @@ MeasuredRun measure_run(const scene::Scene& scene, const MeasuredRunOptions& opt
     SnapshotPtr last;
     std::vector<Vec3> before;
     const auto watch_step = [&] {
-        if (!options.watch_steps) return;
         const std::vector<Vec3>& x = engine.state().state.x_um;
+        const MeshTopology& mesh = *engine.header()->topology;
+        // not while beads are packed, or on a coarser mesh than that of the frames
+        const bool is_whole =
+            x.size() == engine.state().radius_um.size() * static_cast<std::size_t>(mesh.n_nodes());
+        if (options.watch_flips && is_whole)
+            run.most_flipped_triangles =
+                std::max(run.most_flipped_triangles, count_flipped_triangles(mesh, x));
+        if (!options.watch_steps) return;
         // the first look compares with nothing: beads may have been replaced by cells
         if (before.size() == x.size())
             for (std::size_t i = 0; i < x.size(); ++i)

@@ -36,7 +36,7 @@ struct MeasuredRun {
     EndMeasures end;
     double largest_step_um = 0.0;     ///< largest displacement of a node in an accepted step
     double fastest_rate_per_s = 0.0;  ///< largest that an explicit method estimated; 0: none
-    int most_flipped_triangles = 0;   ///< at any output
+    int most_flipped_triangles = 0;   ///< at any output, or after any step that was watched
 
     /// The run came to the end of its stages.
     [[nodiscard]] bool is_complete() const {
@@ -50,7 +50,12 @@ struct MeasuredRunOptions {
     const std::atomic<bool>* stop = nullptr;  ///< ends the run when true; may be null
     std::int64_t max_steps = 0;               ///< then the run is stopped; 0: no limit
     bool watch_steps = false;                 ///< fill largest_step_um; a copy of x for each step
+    bool watch_flips = false;                 ///< look for flipped triangles after each step
 };
+
+/// Triangles that face the centre of their cell: those of Totals::n_flipped_triangles, of all cells
+/// with the nodes x_um.
+[[nodiscard]] int count_flipped_triangles(const MeshTopology& mesh, std::span<const Vec3> x_um);
 
 /// Runs the scene in this thread, keeps the positions of every output of its last stage, in double,
 /// and the measures of the end. Throws Error as Engine does.

@@ -118,9 +118,6 @@ void judge_stop(const scene::Stability& rule, StabilityRow& row) {
 }
 
 constexpr double k_longer_without_time = 10.0;
-/// The engine measures as often without being asked, and steps end there: outputs at these times
-/// change no step.
-constexpr double k_outputs_every_s = 1.0;
 
 /// Runs a scene that has loaded. What the engine refuses is noted, not thrown: it may be expected.
 void run_row(scene::Scene scene, const scene::Stability& rule, const StabilityOptions& options,
@@ -131,9 +128,6 @@ void run_row(scene::Scene scene, const scene::Stability& rule, const StabilityOp
         if (scene.cytosol) scene.cytosol->controller = scene::VolumeController::exact;
         // Nor does it come to the end of a motion in the motion's time: its steps grow until there.
         for (scene::Stage& stage : scene.stages) stage.duration_s *= k_longer_without_time;
-    } else {
-        for (scene::Stage& stage : scene.stages)
-            if (stage.every_s == 0.0) stage.every_s = k_outputs_every_s;
     }
     scene = with_report_fields(scene);
     row.largest_step_h0 = row.force_change = row.pull_off_over_W = k_undefined;
@@ -145,6 +139,7 @@ void run_row(scene::Scene scene, const scene::Stability& rule, const StabilityOp
         run_options.wall_limit_s = wall_limit_s;
         run_options.stop = options.stop;
         run_options.watch_steps = rule.largest_step_h0 > 0.0;
+        run_options.watch_flips = is_expected(scene, "n_flipped_triangles");
         row.run = measure_run(scene, run_options);
         if (rule.pull_off > 0.0 && row.run.is_complete() && !row.run.samples.empty())
             row.pull_off_over_W =

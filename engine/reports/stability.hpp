@@ -20,7 +20,8 @@ struct StabilityRow {
     bool was_run = false;     ///< false: the time limit or a signal came first
     bool is_refused = false;  ///< the scene, or the engine, refused to begin; run.message says why
     MeasuredRun run;          ///< without its samples
-    /// Of [expect]; only if the run came to its end. n_flipped_triangles is the most at any output.
+    /// Of [expect]; only if the run came to its end. n_flipped_triangles is the most after any
+    /// step.
     std::vector<Expectation> measures;
     double largest_step_h0 = 0.0;       ///< NaN unless a bound is asked for
     double force_change = 0.0;          ///< likewise
@@ -48,15 +49,15 @@ struct StabilityOptions {
 [[nodiscard]] const scene::Stability* stability_rule(const scene::Scene& scene,
                                                      const MethodRow& method);
 
-/// Runs every scene, or all of its variants, with every method of the table; methods that move in
-/// time give an output every second. Throws Error if a scene itself (without a variant) does not
-/// load, has no rule for a method, or names unknown methods.
+/// Runs every scene, or all of its variants, with every method of the table; where
+/// flipped triangles are asked for, they are counted after every step. Throws Error if a scene
+/// itself (without a variant) does not load, has no rule for a method, or names unknown methods.
 [[nodiscard]] std::vector<StabilityRow>
 check_stability(const std::vector<std::string>& files,
                 const std::vector<scene::Override>& overrides, const StabilityOptions& options);
 
 /// [expect] against a run. A triangle that flips and comes back was flipped all the same: of
-/// n_flipped_triangles the most at any output counts.
+/// n_flipped_triangles the most after any step counts.
 [[nodiscard]] std::vector<Expectation> check_expectations(const scene::Scene& scene,
                                                           const MeasuredRun& run);
 
@@ -64,9 +65,10 @@ check_stability(const std::vector<std::string>& files,
 /// panel for each scene of three variants or more.
 [[nodiscard]] Plot stability_plot(const std::vector<StabilityRow>& rows);
 
-/// Relative change of forces (turned back), of the cells' stresses, and of all totals that have a
-/// value, at the start, that shift and turn of [start] make: 0 but for rounding. The largest of
-/// them. Throws Error as Engine does.
+/// Relative change, at the start, of forces (turned back), of the forces between cells, of the
+/// cells' stresses, of gamma_eff, of sigma_nn (law `traction`) and of totals, that shift and turn
+/// of [start] make: 0 but for rounding. The largest of them; a scene that turns is turned by random
+/// rotations of its seed as well. Throws Error as Engine does.
 [[nodiscard]] double force_change_by_motion(const scene::Scene& scene, int threads);
 
 }  // namespace spheroscope::reports

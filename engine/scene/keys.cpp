@@ -559,8 +559,9 @@ const auto& keys() {
             "Bound on the displacement of a node in any accepted step, over h0; 0: none."},
         Key{"stability", "forces_kept", reach<&S::stability, &Stability::forces_kept>(), number,
             not_negative, {}, {}, "1e-6", "",
-            "Bound on the relative change of the forces that shift and turn of [start] make, "
-            "turned back; 0: none."},
+            "Bound on the relative change of forces, stresses and surface tensions that shift and "
+            "turn of [start] make, turned back; a scene that turns is turned by random rotations "
+            "as well. 0: none."},
         Key{"stability", "pull_off", reach<&S::stability, &Stability::pull_off>(), number,
             not_negative, {}, with_contact, "0.02", "",
             "Bound on the relative difference between W and the work, per area that adheres, of "

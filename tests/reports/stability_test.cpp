@@ -27,7 +27,7 @@ TEST(Stability, ATriangleThatHasFlippedAndComeBackIsNotForgotten) {
     EXPECT_TRUE(measures[1].met) << "other measures are those of the end";
 }
 
-TEST(Stability, LooksAtMethodsThatMoveInTimeEverySecondWithoutChangingTheirSteps) {
+TEST(Stability, LooksAfterEveryStepWithoutChangingIt) {
     const std::string text = k_scene + "[stability.all]\noutcome = \"ends\"\n";
     const scene::Scene scene = scene::parse_scene(text, "stretched.toml");
     const std::string file = testing::TempDir() + "/cell_of_stability.toml";
@@ -43,6 +43,19 @@ TEST(Stability, LooksAtMethodsThatMoveInTimeEverySecondWithoutChangingTheirSteps
         EXPECT_EQ(row.run.state_hash, measure_run(own, {}).state_hash) << row.method->name;
     }
     std::remove(file.c_str());
+}
+
+TEST(FlippedTriangles, AreThoseThatTheTotalsCount) {
+    const auto mesh = make_icosphere(42);
+    std::vector<Vec3> x_um = mesh->unit_shape;
+    x_um.insert(x_um.end(), mesh->unit_shape.begin(), mesh->unit_shape.end());  // two cells
+    EXPECT_EQ(count_flipped_triangles(*mesh, x_um), 0);
+    // A node that has gone through the centre takes its triangles with it.
+    x_um[5] *= -0.5;
+    const int degree = mesh->neighbour_begin[6] - mesh->neighbour_begin[5];
+    EXPECT_EQ(count_flipped_triangles(*mesh, x_um), degree);
+    for (Vec3& x : x_um) x += Vec3(1e3, 0.0, 0.0);
+    EXPECT_EQ(count_flipped_triangles(*mesh, x_um), degree) << "wherever the cells are";
 }
 
 }  // namespace
