@@ -108,9 +108,10 @@ void PlotStyles::apply(const reports::Plot::Series& series, vtkPlotLine* line) c
     line->SetColor(c.r, c.g, c.b, 255);
     line->SetWidth(2.0F);
     line->GetPen()->SetLineType(vtk_line_type(series.line));
-    line->SetMarkerStyle(series.colour_of.empty() ? marker(series.name)
-                                                  : static_cast<int>(vtkPlotPoints::NONE));
-    line->SetMarkerSize(9.0F);
+    int mark = series.colour_of.empty() ? marker(series.name) : int{vtkPlotPoints::NONE};
+    if (series.is_crossed_out) mark = vtkPlotPoints::CROSS;
+    line->SetMarkerStyle(mark);
+    line->SetMarkerSize(series.is_crossed_out ? 15.0F : 9.0F);
     line->SetLabel(series.name);
     line->SetLegendVisibility(series.colour_of.empty());
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace spheroscope::cli {
@@ -23,6 +24,11 @@ TableCell error_cell(const reports::Precision& precision, const reports::Precisi
     if (std::isnan(row.errors[measure])) return Missing{"-"};
     if (!precision.is_resolved(row, measure)) return Missing{"< ref"};
     return row.errors[measure];
+}
+
+/// It was run, and has no errors because it did not come to its end.
+bool has_failed(const reports::PrecisionRow& row) {
+    return row.was_run && row.run.verdict == RunVerdict::unstable && row.run.wall_s > 0.0;
 }
 
 nlohmann::json setting_json(const reports::MethodSetting& setting) {
@@ -52,12 +58,22 @@ nlohmann::json run_json(bool was_run, const reports::MeasuredRun& run) {
             {"hash", hash_text(run.state_hash)}};
 }
 
-/// Series of one measure, one for each method, in the order of the ladder.
+/// What a mesh error is the difference to.
+std::string reference_of(const reports::MeshResult& result) {
+    return result.mesh_error_is_rough ? "finest level" : "limit";
+}
+
+/// How far above the largest error of a panel the runs without one stand: at its upper edge.
+constexpr double k_above = 2.0;
+
+/// Series of one measure, one for each method, in the order of the ladder; then, as crosses at the
+/// upper edge, the runs of each that failed.
 reports::Plot::Panel panel_of(const reports::Precision& precision, std::size_t measure) {
     reports::Plot::Panel panel;
     panel.title = all_error_measures()[measure].title;
     panel.x_title = "wall time (s)";
     panel.y_title = fmt::format("error ({})", all_error_measures()[measure].unit);
+    double largest = 0.0;
     for (const reports::PrecisionRow& row : precision.rows) {
         const std::string name(row.setting.method->name);
         if (panel.series.empty() || panel.series.back().name != name)
@@ -66,9 +82,40 @@ reports::Plot::Panel panel_of(const reports::Precision& precision, std::size_t m
         if (const double* error = std::get_if<double>(&cell); error != nullptr && *error > 0.0) {
             panel.series.back().x.push_back(row.run.wall_s);
             panel.series.back().y.push_back(*error);
+            largest = std::max(largest, *error);
         }
     }
+    if (largest == 0.0) return panel;
+    for (const reports::PrecisionRow& row : precision.rows) {
+        if (!has_failed(row)) continue;
+        const std::string name(row.setting.method->name);
+        if (panel.series.back().colour_of != name) {
+            reports::Plot::Series crosses{.name = name + ", failed"};
+            crosses.line = reports::Plot::Line::none;
+            crosses.is_crossed_out = true;
+            crosses.colour_of = name;
+            panel.series.push_back(std::move(crosses));
+        }
+        panel.series.back().x.push_back(row.run.wall_s);
+        panel.series.back().y.push_back(k_above * largest);
+    }
     return panel;
+}
+
+/// Names the crosses, method by method: "crosses: forward_euler at dt = 15.4 ms, ... failed".
+std::vector<std::string> caption_of(const reports::Precision& precision) {
+    std::vector<std::string> lines;
+    std::string_view last;
+    for (const reports::PrecisionRow& row : precision.rows) {
+        if (!has_failed(row)) continue;
+        if (row.setting.method->name != last)
+            lines.push_back(fmt::format("crosses at the upper edge failed: {}, {}",
+                                        row.setting.method->name, row.setting.text()));
+        else
+            lines.back() += ", " + row.setting.text();
+        last = row.setting.method->name;
+    }
+    return lines;
 }
 
 }  // namespace
@@ -167,6 +214,7 @@ nlohmann::json json_of(const reports::Precision& precision) {
     for (const reports::PrecisionRow& row : precision.rows) {
         nlohmann::json object = run_json(row.was_run, row.run);
         object["method"] = row.setting.method->name;
+        object["timed_runs"] = row.n_runs;
         object["setting"] = setting_json(row.setting);
         nlohmann::json errors = nlohmann::json::object();
         for (std::size_t m = 0; m < all_error_measures().size(); ++m) {
@@ -215,6 +263,7 @@ reports::Plot plot_of(const reports::Precision& precision, const std::string& ti
             has_points = has_points || !series.x.empty();
         if (has_points) plot.panels.push_back(std::move(panel));
     }
+    plot.caption = caption_of(precision);
     return plot;
 }
 
@@ -223,7 +272,8 @@ reports::ReportTable table_of(const reports::MeshLadder& ladder) {
     table.columns = {{"measure"}, {"unit"}};
     for (const reports::MeshLevel& level : ladder.levels)
         table.columns.push_back({fmt::format("{} nodes", level.nodes)});
-    for (const char* name : {"extrapolated", "order", "mesh_error", "time_error", "dominant"})
+    for (const char* name :
+         {"extrapolated", "order", "mesh_error", "against", "time_error", "dominant"})
         table.columns.push_back({name});
     const auto or_word = [](double value, std::string_view word) -> TableCell {
         if (std::isfinite(value)) return value;
@@ -237,6 +287,8 @@ reports::ReportTable table_of(const reports::MeshLadder& ladder) {
         cells.push_back(or_word(result.extrapolation.limit, "not resolved"));
         cells.push_back(or_word(result.extrapolation.order, "-"));
         cells.push_back(or_word(result.mesh_error, "-"));
+        cells.push_back(std::isfinite(result.mesh_error) ? TableCell(reference_of(result))
+                                                         : TableCell(Missing{"-"}));
         cells.push_back(or_word(result.time_error, "-"));
         cells.emplace_back(std::string(result.dominant()));
         table.rows.push_back(std::move(cells));
@@ -244,7 +296,7 @@ reports::ReportTable table_of(const reports::MeshLadder& ladder) {
     std::vector<TableCell> wall{std::string("wall time"), std::string("s")};
     for (const reports::MeshLevel& level : ladder.levels)
         wall.push_back(level.was_run ? TableCell(level.run.wall_s) : TableCell(Missing{"-"}));
-    wall.insert(wall.end(), 4, Missing{""});
+    wall.insert(wall.end(), 5, Missing{""});
     wall.emplace_back(std::string());
     table.rows.push_back(std::move(wall));
     return table;
@@ -258,16 +310,26 @@ std::string notes_of(const reports::MeshLadder& ladder, int own_nodes) {
     }
     std::string text =
         fmt::format("at {} nodes with {}, {}: the mesh error dominates in {}, the time "
-                    "error in {}; {} not resolved\n",
+                    "error in {}; {} not known\n",
                     own_nodes, ladder.own.method->name, ladder.own.text(), counted(mesh, "measure"),
                     time, unknown);
-    text += fmt::format("time error against {}; mesh error against the extrapolated value\n",
-                        ladder.finer.text());
+    text += fmt::format("levels with {}, {}: they differ by the mesh alone, and the scene's own "
+                        "setting from that on its mesh by the time error\n",
+                        ladder.finer.method->name, ladder.finer.text());
+    if (std::any_of(ladder.results.begin(), ladder.results.end(),
+                    [](const reports::MeshResult& result) { return result.mesh_error_is_rough; }))
+        text += "against the finest level where no limit can be extrapolated: a bound by size, "
+                "whose digits mean nothing\n";
     if (ladder.met_time_limit) text += "the time limit came before everything was done\n";
-    for (const reports::MeshLevel& level : ladder.levels)
+    const auto note_failure = [&](const reports::MeshLevel& level, const std::string& setting) {
         if (level.was_run && !level.run.is_complete())
-            text += fmt::format("{} nodes: {} {}\n", level.nodes, outcome_word(true, level.run),
-                                level.run.message);
+            text += fmt::format("{} nodes, {}: {} {}\n", level.nodes, setting,
+                                outcome_word(true, level.run), level.run.message);
+    };
+    note_failure(ladder.own_run, ladder.own.text());
+    note_failure(ladder.finer_run, ladder.finer.text());
+    for (const reports::MeshLevel& level : ladder.levels)
+        if (level.nodes != ladder.finer_run.nodes) note_failure(level, ladder.finer.text());
     return text;
 }
 
@@ -326,10 +388,12 @@ nlohmann::json json_of(const reports::MeshLadder& ladder, int own_nodes) {
                             {"extrapolated", number_or_null(result.extrapolation.limit)},
                             {"order", number_or_null(result.extrapolation.order)},
                             {"mesh_error", number_or_null(result.mesh_error)},
+                            {"mesh_error_is_rough", result.mesh_error_is_rough},
                             {"time_error", number_or_null(result.time_error)},
                             {"dominant", result.dominant()}});
     }
     return {{"levels", levels},
+            {"own_run", run_json(ladder.own_run.was_run, ladder.own_run.run)},
             {"measures", measures},
             {"own_nodes", own_nodes},
             {"own_setting", setting_json(ladder.own)},

@@ -18,7 +18,8 @@ namespace spheroscope::cli {
 /// What was compared with, how good that is, and why runs failed; below the table.
 [[nodiscard]] std::string notes_of(const reports::Precision& precision);
 [[nodiscard]] nlohmann::json json_of(const reports::Precision& precision);
-/// One panel for each error measure that has a number: error over wall time.
+/// One panel for each error measure that has a number: error over wall time. Runs that failed are
+/// crosses at the upper edge, and named in the caption.
 [[nodiscard]] reports::Plot plot_of(const reports::Precision& precision, const std::string& title);
 
 [[nodiscard]] reports::ReportTable table_of(const reports::MeshLadder& ladder);

@@ -13,6 +13,9 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace spheroscope::cli {
 namespace {
@@ -31,8 +34,11 @@ struct PrecisionArguments {
 void give_out(const std::string& path, const reports::ReportTable& table, const std::string& notes,
               nlohmann::json document, const reports::DrawPlot& draw, const reports::Plot& plot,
               const PrecisionArguments& arguments, const Invocation& invocation) {
-    write_text_file(path + ".csv",
-                    table.csv_text(report_comments(invocation, arguments.common.n_threads())));
+    // Errors without what they are against are half a table.
+    std::vector<std::string> comments = report_comments(invocation, arguments.common.n_threads());
+    std::istringstream lines(notes);
+    for (std::string line; std::getline(lines, line);) comments.push_back(line);
+    write_text_file(path + ".csv", table.csv_text(comments));
     std::vector<std::string> files{path + ".csv"};
     for (const std::string& file : draw_report_plot(draw, plot, path)) files.push_back(file);
     if (arguments.common.json) {

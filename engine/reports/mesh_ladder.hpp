@@ -31,22 +31,28 @@ struct MeshLevel {
 struct MeshResult {
     std::vector<double> values;  ///< one for each level; NaN where the run failed
     Extrapolation extrapolation;
-    double mesh_error = 0.0;  ///< of the scene's own mesh, relative to the limit; NaN: not resolved
-    double time_error = 0.0;  ///< of the scene's own step on its own mesh, relative; NaN likewise
+    double mesh_error = 0.0;  ///< of the scene's own mesh, relative; NaN: not known
+    /// The mesh error is the difference to the finest level, where no limit could be extrapolated:
+    /// its size, not its digits.
+    bool mesh_error_is_rough = false;
+    double time_error = 0.0;  ///< of the scene's own step on its own mesh, relative; NaN: not known
 
-    /// Which error is the larger one: "mesh", "time", or "unknown" where either is not resolved.
+    /// Which error is the larger one: "mesh", "time", or "unknown" where either is not known.
     [[nodiscard]] std::string_view dominant() const;
 };
 
 struct MeshLadder {
-    std::vector<MeshLevel> levels;
-    MethodSetting own, finer;  ///< the scene's setting, and the one that the time error is against
+    std::vector<MeshLevel> levels;  ///< at the finer setting
+    MethodSetting own, finer;       ///< the scene's setting, and that of the levels
+    MeshLevel own_run;              ///< the scene's mesh at its own setting
+    MeshLevel finer_run;            ///< and at the finer one, also where that is beyond the levels
     std::vector<MeshResult> results;  ///< one for each mesh measure
     bool met_time_limit = false;
 };
 
-/// Runs the scene at its own setting on all mesh levels up to most_nodes, and on its own mesh with
-/// a far finer setting (a quarter of the step three times over), to compare mesh and time error.
+/// Runs the scene with a far finer setting on all mesh levels up to most_nodes, so that they differ
+/// by the mesh alone, and on its own mesh with its own setting as well: what that differs by is the
+/// time error.
 [[nodiscard]] MeshLadder compute_mesh_ladder(const scene::Scene& scene, int most_nodes,
                                              const PrecisionOptions& options);
 

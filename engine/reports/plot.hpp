@@ -18,7 +18,8 @@ struct Plot {
         std::vector<double> error{};   ///< of y: half the length of its bar; NaN: none
         Line line = Line::full;
         bool has_marks = true;
-        std::string colour_of{};  ///< another series' name; it then has no entry in the legend
+        bool is_crossed_out = false;  ///< large crosses are its marks: what has no true place
+        std::string colour_of{};      ///< another series' name; it then has no entry in the legend
     };
     /// A range of y that is known from elsewhere: a strip, or a line where both ends agree.
     struct Band {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/repetitions.hpp"
 #include "engine/reports/error_measures.hpp"
 #include "engine/solve/method.hpp"
 
@@ -26,6 +27,10 @@ struct MethodSetting {
 /// The setting of the scene itself.
 [[nodiscard]] MethodSetting own_setting(const scene::Scene& scene);
 
+/// The tolerance of an adaptive method in this scene: its own, or the standard where it has fixed
+/// steps.
+[[nodiscard]] double standard_tolerance_um(const scene::Scene& scene);
+
 /// n_levels settings of a method, coarse to fine, around the scene's own: steps in factors of 2
 /// where steps are fixed, tolerances in factors of 4 where they adapt, which is a factor of 2 in
 /// the step of a first-order method. The tolerance of the linear solver falls with them.
@@ -35,7 +40,8 @@ struct MethodSetting {
 struct PrecisionRow {
     MethodSetting setting;
     bool was_run = false;        ///< false: the time limit came first
-    MeasuredRun run;             ///< without its samples
+    MeasuredRun run;             ///< without its samples; times are the least of all repetitions
+    int n_runs = 0;              ///< repetitions that were made
     std::vector<double> errors;  ///< one for each error measure; empty unless it can be compared
 };
 
@@ -65,6 +71,8 @@ struct PrecisionOptions {
     int n_outputs = 8;                ///< fixed output times, a power of two
     int most_reference_halvings = 7;  ///< of the scene's step, until the reference is fine enough
     double wall_limit_s = 0.0;        ///< of everything together; 0: none
+    /// Of a row of the table: runs that take milliseconds are told apart by their least time.
+    Repetitions repetitions{.most = 5, .longest_s = 0.5};
     const std::atomic<bool>* stop = nullptr;
     std::function<void(const std::string& what, double share)> progress{};  ///< may be empty
 };

@@ -54,6 +54,15 @@ TEST_F(ReportVerbs, PrecisionWritesATableWithOneLineForEachRun) {
     }
     EXPECT_GE(n_rows, 5U);
     EXPECT_NE(outcome.out.find("\nreference: "), std::string::npos) << outcome.out;
+    // The table alone says what its errors are against, and how good that is.
+    const std::vector<std::string> lines = lines_of("here/precision.csv");
+    const auto has = [&](const std::string& begin) {
+        return std::any_of(lines.begin(), lines.end(),
+                           [&](const std::string& line) { return line.starts_with(begin); });
+    };
+    EXPECT_TRUE(has("# reference: "));
+    for (const char* measure : {"positions", "volume", "gamma_eff"})
+        EXPECT_TRUE(has(std::string("#   ") + measure + " ")) << measure;
 }
 
 TEST_F(ReportVerbs, PrecisionShowsAMethodThatFailsAsFailed) {
@@ -88,8 +97,8 @@ TEST_F(ReportVerbs, PrecisionWithMeshLevelsSaysWhichErrorDominates) {
     const auto document = json_of(outcome);
     EXPECT_EQ(document["levels"].size(), 3U);
     for (const auto& measure : document["measures"])
-        for (const char* key :
-             {"values", "extrapolated", "order", "mesh_error", "time_error", "dominant"})
+        for (const char* key : {"values", "extrapolated", "order", "mesh_error",
+                                "mesh_error_is_rough", "time_error", "dominant"})
             EXPECT_TRUE(measure.contains(key)) << key;
 }
 

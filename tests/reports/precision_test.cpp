@@ -57,6 +57,16 @@ TEST(Precision, AMethodThatFailsIsShownAsFailedAndHasNoErrors) {
     EXPECT_NE(explicit_row->run.message, "");
 }
 
+TEST(Precision, TimesOfShortRunsAreTheLeastOfSeveral) {
+    PrecisionOptions options{.n_levels = 1, .most_reference_halvings = 1};
+    options.repetitions = {.most = 3, .longest_s = 60.0};
+    for (const PrecisionRow& row : compute_precision(stretched_cell(), options).rows)
+        EXPECT_EQ(row.n_runs, 3);
+    options.repetitions.longest_s = 0.0;
+    for (const PrecisionRow& row : compute_precision(stretched_cell(), options).rows)
+        EXPECT_EQ(row.n_runs, 1) << "what takes long is not repeated";
+}
+
 TEST(Precision, AReferenceThatIsTooCoarseHidesWhatItCannotTell) {
     PrecisionOptions options{.n_levels = 3};
     options.most_reference_halvings = 1;
@@ -160,6 +170,33 @@ std::string_view dominant_in_gamma_eff(double dt_s) {
 TEST(MeshLadder, BlamesLongStepsAndThenTheMesh) {
     EXPECT_EQ(dominant_in_gamma_eff(8e-3), "time");  // 10 % against 1.8 %
     EXPECT_EQ(dominant_in_gamma_eff(1e-3), "mesh");  // 1.2 %
+}
+
+TEST(MeshLadder, WithoutALimitComparesWithTheFinestLevelAndSaysSo) {
+    const MeshLadder ladder = compute_mesh_ladder(stretched_cell(), 162, {});
+    ASSERT_EQ(ladder.levels.size(), 2U);
+    int n_known = 0;
+    for (const MeshResult& result : ladder.results) {
+        EXPECT_FALSE(result.extrapolation.is_resolved);
+        if (std::isnan(result.values[0])) continue;
+        ++n_known;
+        EXPECT_TRUE(result.mesh_error_is_rough);
+        EXPECT_DOUBLE_EQ(result.mesh_error, std::abs(result.values[0] / result.values[1] - 1.0));
+        EXPECT_NE(result.dominant(), "unknown");
+    }
+    EXPECT_GT(n_known, 0);
+    // of a scene on its finest level nothing is known
+    for (const MeshResult& result : compute_mesh_ladder(stretched_cell(), 42, {}).results)
+        EXPECT_EQ(result.dominant(), "unknown");
+}
+
+TEST(MeshLadder, TakesStepsBelowTheLeastOfTheScene) {
+    scene::Scene scene = stretched_cell();
+    scene.method.dt_min_s = scene.method.dt_s;
+    const MeshLadder ladder = compute_mesh_ladder(scene, 42, {});
+    EXPECT_TRUE(ladder.own_run.run.is_complete()) << ladder.own_run.run.message;
+    EXPECT_TRUE(ladder.finer_run.run.is_complete()) << ladder.finer_run.run.message;
+    EXPECT_GT(ladder.finer_run.run.work.steps, ladder.own_run.run.work.steps);
 }
 
 }  // namespace
