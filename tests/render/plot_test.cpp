@@ -148,6 +148,31 @@ std::vector<std::array<double, 2>> places_of(const std::filesystem::path& svg,
     return places;
 }
 
+TEST(Plot, DrawsWhatIsCrossedOutInTheColourOfItsNameWithoutALineOrAWordInTheLegend) {
+    reports::Plot plot;
+    plot.title = "Failed";
+    reports::Plot::Panel panel{"a", "x", "y"};
+    panel.series = {{"one", {1.0, 2.0}, {1.0, 2.0}}};
+    plot.panels = {panel};
+    const TemporaryFolder folder;
+    const auto png = folder.path() / "plot.png", svg = folder.path() / "plot.svg";
+    const auto blue = [&] {
+        draw_plot(plot, png, svg);
+        return share_of(read_png(png).image, {0, 114, 178});
+    };
+    // A series of this colour without marks or line is there in both, so that the axes are the
+    // same.
+    reports::Plot::Series crosses{"one, failed", {4.0, 8.0}, {8.0, 8.0}};
+    crosses.colour_of = "one";
+    crosses.line = reports::Plot::Line::none;
+    plot.panels[0].series.push_back(crosses);
+    const double without = blue();
+    plot.panels[0].series[1].is_crossed_out = true;
+    EXPECT_GT(blue(), without);
+    EXPECT_TRUE(places_of(svg, "one, failed").empty());
+    EXPECT_EQ(places_of(svg, "one").size(), 1U);
+}
+
 TEST(Plot, ItsLegendAboveIsAsWideAsItsNames) {
     reports::Plot plot;
     plot.title = "Figure";
