@@ -58,5 +58,20 @@ TEST(FlippedTriangles, AreThoseThatTheTotalsCount) {
     EXPECT_EQ(count_flipped_triangles(*mesh, x_um), degree) << "wherever the cells are";
 }
 
+TEST(FlippedTriangles, AreSeenBetweenOutputsWithEveryMethod) {
+    scene::Scene scene = with_report_fields(scene::parse_scene(k_scene, "stretched.toml"));
+    // A corner far beyond its neighbours, which it folds over.
+    scene.start->sliver_height_um = 14.0;
+    for (const MethodRow& method : all_methods()) {
+        scene.method.name = method.name;
+        if (!method.moves_in_time()) scene.cytosol->controller = scene::VolumeController::exact;
+        // stopped before the end, which is the only output
+        MeasuredRunOptions options{.max_steps = 2};
+        EXPECT_EQ(measure_run(scene, options).most_flipped_triangles, 0) << method.name;
+        options.watch_flips = true;
+        EXPECT_GT(measure_run(scene, options).most_flipped_triangles, 0) << method.name;
+    }
+}
+
 }  // namespace
 }  // namespace spheroscope::reports
