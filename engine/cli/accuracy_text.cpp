@@ -35,8 +35,7 @@ std::string line_of(const MeasureError& error) {
         text = fmt::format("{:.5g}{}", error.value, unit);
     else
         text = fmt::format("{:.5g} +- {:.2g}{} ({})", error.value, measured, unit, parts);
-    if (!std::isnan(error.rest))
-        text += fmt::format("; may still change by {:.2g}", error.rest);
+    if (!std::isnan(error.rest)) text += fmt::format("; may still change by {:.2g}", error.rest);
     return text;
 }
 
