@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <variant>
 
 namespace spheroscope {
@@ -17,12 +18,24 @@ namespace {
 
 using hdf5::File;
 
+/// An array in which nothing is undefined: a NaN in it would take a cell or a tube out of a
+/// picture, or all of it, without a word. `what` is one of its numbers, "a force".
+template <class T> std::vector<T> read_finite(const File& file, const std::string& object,
+                                              const hdf5::Shape& shape, std::string_view what) {
+    std::vector<T> values = file.read_array<T>(object, shape);
+    const auto bad = std::find_if_not(values.begin(), values.end(),
+                                      [](T value) { return std::isfinite(value); });
+    if (bad != values.end())
+        file.fail(fmt::format("{} holds {} where {} should be", object, *bad, what));
+    return values;
+}
+
 std::vector<ContactLink> read_contacts(const File& file, const std::string& step, int n_cells) {
     const hdf5::Shape shape = file.shape(step + "/contacts/pairs");
     const std::uint64_t n = shape.at(0);
     const auto pairs = file.read_array<std::int32_t>(step + "/contacts/pairs", {n, 2});
-    const auto forces = file.read_array<float>(step + "/contacts/force", {n});
-    const auto areas = file.read_array<float>(step + "/contacts/area", {n});
+    const auto forces = read_finite<float>(file, step + "/contacts/force", {n}, "a force");
+    const auto areas = read_finite<float>(file, step + "/contacts/area", {n}, "an area");
     std::vector<ContactLink> links;
     for (std::uint64_t k = 0; k < n; ++k) {
         const int a = pairs[2 * k], b = pairs[2 * k + 1];
@@ -38,11 +51,13 @@ std::vector<ContactLink> read_contacts(const File& file, const std::string& step
 Load read_load(const File& file, const std::string& step) {
     Load load;
     if (!file.exists(step + "/probe")) return load;
-    const auto probe = file.read_array<double>(step + "/probe", {4});
+    const auto probe =
+        read_finite<double>(file, step + "/probe", {4}, "the bead's place or radius");
     load.probe.start_um = Vec3(probe[0], probe[1], probe[2]);
     load.probe.radius_um = probe[3];
     if (file.exists(step + "/probe_motion")) {
-        const auto motion = file.read_array<double>(step + "/probe_motion", {6});
+        const auto motion = read_finite<double>(file, step + "/probe_motion", {6},
+                                                "the bead's way, force, friction or speed");
         load.probe.direction = Vec3(motion[0], motion[1], motion[2]);
         load.probe.force_nN = motion[3];
         load.probe.friction_nN_s_per_um = motion[4];
@@ -51,10 +66,11 @@ Load read_load(const File& file, const std::string& step) {
     const std::string group = run_format::k_hull;
     const std::uint64_t n_vertices = file.shape(group + "/vertices").at(0);
     const std::uint64_t n_triangles = file.shape(group + "/triangles").at(0);
-    const auto vertices = file.read_array<float>(group + "/vertices", {n_vertices, 3});
+    const auto vertices =
+        read_finite<float>(file, group + "/vertices", {n_vertices, 3}, "a position");
     const auto corners = file.read_array<std::int32_t>(group + "/triangles", {n_triangles, 3});
     const std::uint64_t n_planes = file.shape(group + "/planes").at(0);
-    const auto planes = file.read_array<double>(group + "/planes", {n_planes, 4});
+    const auto planes = read_finite<double>(file, group + "/planes", {n_planes, 4}, "a plane");
     Hull hull;
     for (std::size_t i = 0; i < planes.size(); i += 4)
         hull.planes.push_back({Vec3(planes[i], planes[i + 1], planes[i + 2]), planes[i + 3]});
@@ -179,24 +195,21 @@ SnapshotPtr RunFileReader::frame(int number) const {
     frame->stage = static_cast<int>(file.int_attribute(step, "stage"));
     frame->stage_name = file.text_attribute(step, "stage_name");
     frame->stage_progress = file.double_attribute(step, "stage_progress");
-    frame->x_um = file.read_array<float>(step + "/x", {n_nodes, 3});
-    frame->normal = file.read_array<float>(step + "/normal", {n_nodes, 3});
+    frame->x_um = read_finite<float>(file, step + "/x", {n_nodes, 3}, "a position");
+    frame->normal = read_finite<float>(file, step + "/normal", {n_nodes, 3}, "a direction");
     for (const Field* field : header_->fields)
         frame->fields.push_back(
             file.read_array<float>(run_format::field_path(number, field->name),
                                    {run_format::n_entries(*header_, field->place)}));
-    frame->centre_um = file.read_array<float>(step + "/cells/centre", {n_cells, 3});
-    frame->pressure_kPa = file.read_array<float>(step + "/cells/pressure", {n_cells});
-    frame->volume_um3 = file.read_array<float>(step + "/cells/volume", {n_cells});
+    frame->centre_um = read_finite<float>(file, step + "/cells/centre", {n_cells, 3}, "a position");
+    frame->pressure_kPa =
+        read_finite<float>(file, step + "/cells/pressure", {n_cells}, "a pressure");
+    frame->volume_um3 = read_finite<float>(file, step + "/cells/volume", {n_cells}, "a volume");
     frame->links = read_contacts(file, step, header_->n_cells);
     frame->load = read_load(file, step);
     frame->changes = changes_before(frame->time_s);
     for (const run_format::Column& column : run_format::columns())
         run_format::set_column_value(column, *frame, read_column(file, column, number));
-    const auto bad = std::find_if_not(frame->x_um.begin(), frame->x_um.end(),
-                                      [](float x) { return std::isfinite(x); });
-    if (bad != frame->x_um.end())
-        file.fail(fmt::format("{}/x holds {} where a position should be", step, *bad));
     if (file.double_attribute(step, "time_s") != frame->time_s)
         file.fail(fmt::format("{} and /time disagree about the time of frame {}", step, number));
     return frame;

@@ -6,10 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <csignal>
 #include <functional>
 #include <limits>
+#include <string>
 #include <sys/resource.h>
+#include <tuple>
+#include <vector>
 
 namespace spheroscope {
 namespace {
@@ -22,7 +26,7 @@ class BadFile : public testing::Test {
     void SetUp() override {
         RunFileWriter writer =
             RunFileWriter::create(good_, *header_, RunFileWriter::Existing::refuse);
-        for (int n = 0; n < 2; ++n) writer.write(make_frame(header_, n));
+        for (int n = 0; n < 3; ++n) writer.write(make_frame(header_, n));
     }
 
     /// The message must name the file, and hold `wanted`.
@@ -112,17 +116,51 @@ TEST_F(BadFile, ATimeThatIsNotANumberIsRefused) {
     expect_refusal(changed([](hdf5::File& file) {
                        file.append_to_column("/time", std::numeric_limits<double>::quiet_NaN());
                    }),
-                   "the time of frame 2 is nan");
+                   "the time of frame 3 is nan");
 }
 
-TEST_F(BadFile, APositionThatIsNotANumberIsRefused) {
-    expect_refusal(changed([&](hdf5::File& file) {
-                       std::vector<float> x = make_frame(header_, 1).x_um;
-                       x[5] = std::numeric_limits<float>::quiet_NaN();
-                       file.remove("/steps/000001/x");
-                       file.write_array<float>("/steps/000001/x", x, {x.size() / 3, 3});
-                   }),
-                   "/steps/000001/x holds nan where a position should be");
+/// Replaces number `k` of an array by NaN.
+template <class T> void spoil(hdf5::File& file, const std::string& object, std::size_t k) {
+    const hdf5::Shape shape = file.shape(object);
+    std::vector<T> values = file.read_array<T>(object);
+    ASSERT_LT(k, values.size()) << object;
+    values[k] = std::numeric_limits<T>::quiet_NaN();
+    file.remove(object);
+    file.write_array<T>(object, values, shape);
+}
+
+TEST_F(BadFile, ANumberOfAPictureThatIsNoneIsRefused) {
+    const std::string step = "/steps/000002";  // with contacts and a bead
+    const auto with_nan = [&]<class T>(T, const std::string& object, std::size_t k) {
+        return changed([&](hdf5::File& file) { spoil<T>(file, object, k); });
+    };
+    for (const auto& [array, k, what] :
+         {std::tuple{"/x", 5U, "a position"}, std::tuple{"/normal", 7U, "a direction"},
+          std::tuple{"/cells/centre", 2U, "a position"},
+          std::tuple{"/cells/pressure", 1U, "a pressure"},
+          std::tuple{"/cells/volume", 0U, "a volume"}, std::tuple{"/contacts/force", 1U, "a force"},
+          std::tuple{"/contacts/area", 0U, "an area"}})
+        expect_refusal(with_nan(0.0F, step + array, k),
+                       step + array + " holds nan where " + what + " should be");
+    expect_refusal(with_nan(0.0F, "/hull/vertices", 4U),
+                   "/hull/vertices holds nan where a position should be");
+    for (const std::size_t k : {0U, 3U})
+        expect_refusal(with_nan(0.0, step + "/probe", k),
+                       step + "/probe holds nan where the bead's place or radius should be");
+    for (const std::size_t k : {1U, 3U, 5U})
+        expect_refusal(with_nan(0.0, step + "/probe_motion", k),
+                       step + "/probe_motion holds nan where the bead's way, force, friction or "
+                              "speed should be");
+}
+
+TEST_F(BadFile, WhatIsUndefinedIsNoMistake) {
+    const RunFileReader reader(changed([](hdf5::File& file) {
+        spoil<float>(file, "/steps/000002/fields/sigma_nn", 1);  // no contact
+        spoil<double>(file, "/diagnostics/probe_force", 2);
+        file.write_attribute("/steps/000002", "stage_progress",
+                             std::numeric_limits<double>::quiet_NaN());
+    }));
+    EXPECT_TRUE(std::isnan(reader.frame(2)->totals.probe_force_nN));
 }
 
 TEST_F(BadFile, AFrameThatIsMissingIsNamed) {
