@@ -8,18 +8,21 @@
 namespace spheroscope::cli {
 namespace {
 
-/// The frames in which a bead presses; none if it does not in the last one.
-std::vector<statistics::LoadPoint> load_of(const RunFileReader& reader, const Snapshot& last) {
-    std::vector<statistics::LoadPoint> load;
-    if (std::isnan(last.totals.probe_force_nN)) return load;
+/// Adds the frames in which a bead presses; none if it does not in the last one. Where it does and
+/// a number of a frame is undefined, there is no point to draw: such frames are counted.
+void add_load(const RunFileReader& reader, const Snapshot& last, statistics::RunStatistics& run) {
+    if (!last.load.probe.acts()) return;
     for (int i = 0; i < reader.n_frames(); ++i) {
         const SnapshotPtr frame = reader.frame(i);
+        if (!frame->load.probe.acts()) continue;
         const Totals& t = frame->totals;
-        if (!std::isnan(t.probe_force_nN))
-            load.push_back({frame->time_s, t.probe_way_um, t.probe_force_nN, t.hull_force_nN,
-                            t.load_imbalance});
+        if (std::isfinite(t.probe_way_um) && std::isfinite(t.probe_force_nN) &&
+            std::isfinite(t.hull_force_nN))
+            run.load.push_back({frame->time_s, t.probe_way_um, t.probe_force_nN, t.hull_force_nN,
+                                t.load_imbalance});
+        else
+            ++run.n_undefined_loads;
     }
-    return load;
 }
 
 /// The frames with a wall.
@@ -40,7 +43,7 @@ statistics::RunStatistics measure_stored_run(const std::string& file) {
         if (reader.n_frames() == 0) throw Error("it has no frames yet");
         const SnapshotPtr last = reader.frame(reader.n_frames() - 1);
         statistics::RunStatistics run = statistics::measure_run(last, reader.changes());
-        run.load = load_of(reader, *last);
+        add_load(reader, *last, run);
         run.wall = wall_of(reader);
         run.file = file;
         run.outcome = reader.outcome();

@@ -7,6 +7,7 @@
 #include "engine/cli/seed_means_text.hpp"
 #include "engine/cli/totals_text.hpp"
 #include "engine/cli/verb.hpp"
+#include "engine/statistics/motion_at_end.hpp"
 #include "engine/statistics/setup.hpp"
 #include "engine/store/run_file.hpp"
 
@@ -109,6 +110,13 @@ struct Replicates {
     [[nodiscard]] bool has_seed(std::uint64_t seed) const {
         return std::find(seeds.begin(), seeds.end(), seed) != seeds.end();
     }
+    /// "" where all runs are as slow as at rest.
+    [[nodiscard]] std::string remark_on_motion() const {
+        std::vector<statistics::MotionAtEnd> ends;
+        for (std::size_t i = 0; i < seeds.size(); ++i)
+            ends.push_back({seeds[i], outcomes[i], totals[i].normal_speed_rms_um_per_s});
+        return statistics::remark_on_motion(ends);
+    }
 };
 
 std::vector<Replicates> read_replicates(const std::vector<std::string>& files) {
@@ -139,6 +147,7 @@ ExitCode info_of_several(const InfoArguments& arguments) {
     nlohmann::json document = nlohmann::json::array();
     std::string text;
     for (const Replicates& replicates : read_replicates(arguments.files)) {
+        const std::string motion = replicates.remark_on_motion();
         document.push_back({{"title", replicates.setup.title},
                             {"gamma_over_omega", number_or_null(replicates.setup.gamma_over_omega)},
                             {"Et_over_omega", number_or_null(replicates.setup.Et_over_omega)},
@@ -148,6 +157,8 @@ ExitCode info_of_several(const InfoArguments& arguments) {
                             {"seeds", replicates.seeds},
                             {"outcomes", replicates.outcomes},
                             {"changes", replicates.setup.changes},
+                            {"remarks", motion.empty() ? nlohmann::json::array()
+                                                       : nlohmann::json::array({motion})},
                             {"totals", seed_means_json(replicates.totals)}});
         text += fmt::format("{}{}\ngamma/omega          {}\nEt/omega             {}\n"
                             "cells                {} of {} nodes\n",
@@ -159,6 +170,7 @@ ExitCode info_of_several(const InfoArguments& arguments) {
         for (std::size_t i = 0; i < replicates.files.size(); ++i)
             text += fmt::format("seed {:<15} {}, {}\n", replicates.seeds[i], replicates.outcomes[i],
                                 replicates.files[i]);
+        if (!motion.empty()) text += motion + "\n";
         text += seed_means_text(replicates.totals);
     }
     if (arguments.common.json)

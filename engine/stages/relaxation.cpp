@@ -7,7 +7,6 @@
 namespace spheroscope {
 namespace {
 
-constexpr double k_rest_speed_um_per_s = 1e-3;
 constexpr double k_virial_defect = 0.01;
 constexpr double k_no_stress = 1e-4;  // of the cells' own pressure: 0.01 Pa
 constexpr double k_window_s = 5.0;

@@ -41,20 +41,22 @@ const std::array<LabelPart, 9> k_label_parts{
 /// written where it is needed to tell setups apart.
 void label(std::vector<SetupStatistics>& setups) {
     for (std::size_t p = 0; p < k_label_parts.size(); ++p) {
-        std::set<std::string> texts, labels;
+        std::set<std::string> with_part, labels;
         for (const SetupStatistics& s : setups) {
-            texts.insert(k_label_parts[p](s.setup()));
+            with_part.insert(s.label + k_label_parts[p](s.setup()));
             labels.insert(s.label);
         }
-        if (p > k_Et_over_omega && (texts.size() == 1 || labels.size() == setups.size())) continue;
+        if (p > k_Et_over_omega && with_part.size() == labels.size()) continue;
         for (SetupStatistics& s : setups) {
             const std::string part = (p == 0 ? "" : ", ") + k_label_parts[p](s.setup());
             s.label += part;
             if (p != k_Et_over_omega) s.family += part;
         }
     }
-    std::map<std::string, int> n_of;
+    std::map<std::string, int> n_with, n_of;
+    for (const SetupStatistics& s : setups) ++n_with[s.label];
     for (SetupStatistics& s : setups) {
+        if (n_with[s.label] > 1) s.shared_label = s.label;
         const int number = ++n_of[s.label];
         if (number == 1) continue;
         s.label += fmt::format(" ({})", number);

@@ -45,6 +45,8 @@ struct RunStatistics {
     double touching_area_um2 = 0.1;
     // Frame by frame; whoever reads the file fills it in.
     std::vector<LoadPoint> load;
+    /// Frames under the bead whose force or way is undefined: they are not in `load`.
+    int n_undefined_loads = 0;
     std::vector<WallPoint> wall;
     double extent_um = 0.0;  ///< distance of the farthest node from the middle
 
@@ -67,6 +69,8 @@ struct RunStatistics {
 struct SetupStatistics {
     std::string label;   ///< what tells it from the others
     std::string family;  ///< the same without Et/omega: setups of one line of a plot over it
+    /// Of setups that only a number in brackets tells apart: the label without it. Else "".
+    std::string shared_label;
     std::vector<RunStatistics> runs;
 
     [[nodiscard]] const Setup& setup() const { return runs.front().setup; }

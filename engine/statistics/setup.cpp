@@ -65,7 +65,8 @@ Setup setup_of(const RunHeader& header, std::span<const Change> changes) {
                      return row == nullptr || row->of == ChangeableRow::Of::engine;
                  });
     setup.changes = changes_text(felt);
-    setup.scene_without_seed = without_seed(header.resolved_scene) + setup.changes;
+    setup.scene_alone = without_seed(header.resolved_scene);
+    setup.scene_without_seed = setup.scene_alone + setup.changes;
     setup.title = scene.title;
     setup.n_cells = header.n_cells;
     setup.n_nodes = header.topology->n_nodes();

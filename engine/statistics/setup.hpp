@@ -11,6 +11,7 @@ namespace spheroscope::statistics {
 /// What a run was of, without its seed: runs with the same `scene_without_seed` are replicates.
 struct Setup {
     std::string scene_without_seed;  ///< the resolved scene's text, and the changes
+    std::string scene_alone;         ///< the same without the changes
     std::string changes;             ///< changes_text of those on its way that cells feel, or ""
     std::string title;
     double gamma_over_omega = 0.0, Et_over_omega = 0.0;  ///< NaN without adhesion, or cortex

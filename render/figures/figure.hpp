@@ -23,8 +23,9 @@ struct Figure {
     std::vector<std::string> missing;  ///< what could not be drawn, of which run, and why
 };
 
-/// What a reader of any figure has to know about the runs behind it: those that have not ended or
-/// ended at their cap, setups with fewer seeds than others, runs of several versions.
+/// What a reader of any figure has to know about the runs behind it: in what setups differ that
+/// have the same label, runs that have not ended, ended at their cap or move faster than at rest,
+/// setups with fewer seeds than others, runs of several versions.
 [[nodiscard]] std::vector<std::string> remarks_on_runs(Setups setups);
 
 /// One row of the table of figures.

@@ -18,7 +18,10 @@ Figure force_displacement(Setups setups) {
         bool is_in_legend = false;
         for (const statistics::RunStatistics& run : setup.runs) {
             if (run.load.empty()) {
-                figure.missing.push_back(run.file + ": it has no frames of a stage of kind indent");
+                figure.missing.push_back(
+                    run.file + (run.n_undefined_loads > 0
+                                    ? ": force or way of the bead is undefined in all frames"
+                                    : ": it has no frames of a stage of kind indent"));
                 continue;
             }
             reports::Plot::Series bead{setup.label, {}, {}}, hull{setup.label, {}, {}};

@@ -24,10 +24,23 @@ constexpr double k_undefined = std::numeric_limits<double>::quiet_NaN();
 
 reports::ReportTable empty_table() {
     reports::ReportTable table;
-    table.columns = {{"panel"},          {"quantity"}, {"unit"},  {"gamma_over_omega"},
-                     {"Et_over_omega"},  {"N"},        {"nodes"}, {"law"},
-                     {"omega_reading"},  {"x_name"},   {"x"},     {"mean"},
-                     {"standard_error"}, {"spread"},   {"seeds"}, {"n"}};
+    table.columns = {{"panel"},
+                     {"quantity"},
+                     {"unit"},
+                     {"setup"},
+                     {"gamma_over_omega"},
+                     {"Et_over_omega"},
+                     {"N"},
+                     {"nodes"},
+                     {"law"},
+                     {"omega_reading"},
+                     {"x_name"},
+                     {"x"},
+                     {"mean"},
+                     {"standard_error"},
+                     {"spread"},
+                     {"seeds"},
+                     {"n"}};
     return table;
 }
 
@@ -35,7 +48,7 @@ void add_row(reports::ReportTable& table, const statistics::SetupStatistics& set
              const Place& place, const statistics::Estimate& value, double spread, int n) {
     const statistics::Setup& s = setup.setup();
     table.rows.push_back(
-        {place.panel, place.quantity, place.unit, cell_of(s.gamma_over_omega),
+        {place.panel, place.quantity, place.unit, setup.label, cell_of(s.gamma_over_omega),
          cell_of(s.Et_over_omega), std::int64_t{s.n_cells}, std::int64_t{s.n_nodes}, s.law,
          s.omega_reading, place.x_name, place.x, cell_of(value.mean), cell_of(value.standard_error),
          cell_of(spread), std::int64_t{value.n},

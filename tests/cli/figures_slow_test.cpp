@@ -1,11 +1,13 @@
 // The paper's figures from real small runs: 13 cells of 42 nodes, two values of gamma/omega and two
 // of Et/omega, two seeds each.
+#include "engine/store/hdf5_file.hpp"
 #include "tests/cli/program_runner.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <sstream>
 
 namespace spheroscope {
@@ -124,6 +126,29 @@ TEST_F(Figures, OfAGridOfRunsAreAllDrawnWithTheirNumbers) {
     const auto& ours = document["setups"][0]["numbers"]["coordination_Z"];
     EXPECT_EQ(ours["mean"], Z["mean"]);
     EXPECT_EQ(ours["standard_error"], Z["standard_error"]);
+}
+
+TEST_F(Figures, CountFramesUnderTheBeadWithoutAForce) {
+    write_file("loaded.toml",
+               with(k_scene, "[measures]",
+                    "[[stage]]\nkind = \"indent\"\nduration = \"1 s\"\nevery = \"0.25 s\"\n"
+                    "force = \"15 nN\"\nprobe_radius = \"27 um\"\n[measures]"));
+    const Outcome run = call({"run", "loaded.toml", "--threads", "1", "--quiet", "-o", "o"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    {
+        hdf5::File file(path("o/run.h5"), hdf5::File::Mode::append);
+        const std::string force = "/diagnostics/probe_force";
+        const std::uint64_t n_frames = file.shape(force).at(0);
+        file.truncate_column(force, n_frames - 1);
+        file.append_to_column(force, std::numeric_limits<double>::quiet_NaN());
+        file.commit();
+    }
+    const nlohmann::json document = figures({"o/run.h5"});
+    EXPECT_NE(document["remarks"].dump().find("seed 1: no points of 1 frame under the bead"),
+              std::string::npos)
+        << document["remarks"];
+    EXPECT_NE(text_of("figures/force_displacement.csv").find("no points of 1 frame"),
+              std::string::npos);
 }
 
 TEST_F(Figures, NameARunThatCannotServeAndAFigureThatCannotBeDrawn) {

@@ -43,6 +43,11 @@ TEST_F(RunSeeds, MakesOneRunForEachSeedAndTheirMeans) {
     const Outcome text =
         call({"info", "out/seed_1/run.h5", "out/seed_2/run.h5", "out/seed_3/run.h5"});
     EXPECT_NE(text.out.find("+-"), std::string::npos) << text.out;
+    // 0.3 s after beads have become cells nothing is at rest
+    const std::string moving = "seed 1 (done), 2 (done), 3 (done): nodes still move with ";
+    EXPECT_NE(text.out.find(moving), std::string::npos) << text.out;
+    ASSERT_EQ(info["setups"][0]["remarks"].size(), 1U);
+    EXPECT_EQ(info["setups"][0]["remarks"][0].get<std::string>().find(moving), 0U);
 }
 
 TEST_F(RunSeeds, GoOnAfterASeedThatFailedAndEndWithItsCode) {

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <variant>
 
 namespace spheroscope::figures {
 namespace {
@@ -71,6 +73,63 @@ TEST(RemarksOnRuns, NameCapsUnendedRunsMissingSeedsAndVersions) {
             "12.5 cortex.tension.gamma 0.7",
             "γ/ω = 4, Et/ω = 8 has 1 seed, others have 5",
             "γ/ω = 8, Et/ω = 8 has 1 seed, others have 5", "runs of several versions: 1, 2"}));
+}
+
+TEST(RemarksOnRuns, NameTheKeysOfSetupsThatTheirLabelsDoNotTellApart) {
+    const auto under_a_bead = [](const std::string& stiffness, const std::string& title) {
+        auto run = made_up_run(1, 8, 1);
+        run.setup.scene_alone = "[scene]\ntitle = \"" + title +
+                                "\"\n\n[[stage]]\nkind = \"relax\"\n\n[[stage]]\nkind = "
+                                "\"indent\"\nwall_stiffness = " +
+                                stiffness + "\n";
+        run.setup.scene_without_seed = run.setup.scene_alone;
+        return run;
+    };
+    const auto setups = group_by_setup(
+        {under_a_bead("1.0", "Made up"), under_a_bead("2.0", "Made up"), made_up_run(4, 8, 1)});
+    EXPECT_EQ(remarks_on_runs(setups),
+              (std::vector<std::string>{"γ/ω = 1, Et/ω = 8: stage[1].wall_stiffness = 1.0",
+                                        "γ/ω = 1, Et/ω = 8 (2): stage[1].wall_stiffness = 2.0"}));
+    const Figure figure = stress_statistics(setups);
+    const auto column = std::find_if(figure.table.columns.begin(), figure.table.columns.end(),
+                                     [](const auto& c) { return c.name == "setup"; });
+    ASSERT_NE(column, figure.table.columns.end());
+    std::set<std::string> labels;
+    for (const auto& row : figure.table.rows)
+        labels.insert(std::get<std::string>(
+            row[static_cast<std::size_t>(column - figure.table.columns.begin())]));
+    EXPECT_EQ(labels, (std::set<std::string>{"γ/ω = 1, Et/ω = 8", "γ/ω = 1, Et/ω = 8 (2)",
+                                             "γ/ω = 4, Et/ω = 8"}));
+
+    // the text alone is another one: of the motion it says the same
+    auto other = under_a_bead("1.0", "Made up");
+    other.setup.scene_without_seed += "\n[[picture]]\nfps = 10\n";
+    EXPECT_EQ(remarks_on_runs(group_by_setup({under_a_bead("1.0", "Made up"), other})).back(),
+              "γ/ω = 1, Et/ω = 8 (2): the same settings of its motion");
+}
+
+TEST(RemarksOnRuns, NameRunsThatAreCalledAtRestAndMove) {
+    auto moving = made_up_run(1, 8, 2);
+    moving.totals.normal_speed_rms_um_per_s = 2.5e-3;
+    EXPECT_EQ(remarks_on_runs(group_by_setup({made_up_run(1, 8, 1), moving})),
+              (std::vector<std::string>{
+                  "γ/ω = 1, Et/ω = 8, seed 2 (rest): nodes still move with 0.0025 um/s (at "
+                  "rest: less than 0.001)"}));
+}
+
+TEST(RemarksOnRuns, CountTheFramesUnderTheBeadThatHaveNoPoint) {
+    auto some = made_up_run(1, 8, 1), all = made_up_run(1, 8, 2);
+    some.n_undefined_loads = 1;
+    all.n_undefined_loads = 3;
+    all.load.clear();
+    const auto setups = group_by_setup({some, all});
+    EXPECT_EQ(remarks_on_runs(setups),
+              (std::vector<std::string>{"γ/ω = 1, Et/ω = 8, seed 1: no points of 1 frame under the "
+                                        "bead: undefined force or way",
+                                        "γ/ω = 1, Et/ω = 8, seed 2: no points of 3 frames under "
+                                        "the bead: undefined force or way"}));
+    EXPECT_TRUE(is_said(force_displacement(setups),
+                        "run_2.h5: force or way of the bead is undefined in all frames"));
 }
 
 TEST(Caption, CallsNoLastFrameAnEndThatIsNone) {
