@@ -189,6 +189,14 @@ std::optional<Quantity> read_other(const Document& document, TableReader& reader
     return quantity;
 }
 
+Written read_written(TableReader& reader) {
+    const Value* const value = reader.optional("written");
+    if (value == nullptr) return Written::before;
+    for (const Written written : {Written::before, Written::after})
+        if (value->kind == Value::Kind::text && value->text == name_of(written)) return written;
+    reader.refuse(*value, "written", "\"before\" or \"after\" (the runs)");
+}
+
 Claim read_claim(const Document& document, const Value& table, const std::string& setup,
                  bool is_one_of_several) {
     TableReader reader(document, table, "a claim");
@@ -197,6 +205,7 @@ Claim read_claim(const Document& document, const Value& table, const std::string
     claim.id = reader.text("id") + (is_one_of_several ? "/" + setup : "");
     claim.source = reader.text("source");
     claim.says = reader.text("says");
+    claim.written = read_written(reader);
     claim.unit = reader.text_or("unit", "");
     static_cast<void>(reader.optional("setup"));
     claim.measured = {table.loc, setup, reader.text("number")};
@@ -264,6 +273,10 @@ void check_names(const ClaimTable& table) {
 }
 
 }  // namespace
+
+std::string_view name_of(Written written) {
+    return written == Written::before ? "before" : "after";
+}
 
 bool Range::is_one_sided() const { return std::isinf(min) || std::isinf(max); }
 

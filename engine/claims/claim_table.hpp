@@ -6,10 +6,12 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // The paper's claims as a file: which runs are needed, what is measured in them, what the paper
-// says, and how far from it still counts as the same. Written before the runs; the verdicts follow.
+// says, and how far from it still counts as the same. Written before the runs, or marked as written
+// after them; the verdicts follow.
 namespace spheroscope::claims {
 
 /// Runs of one scene that differ in their seed alone; or beads without cells.
@@ -40,13 +42,18 @@ struct Range {
     [[nodiscard]] std::string text() const;
 };
 
+/// When a claim and its bounds were written: before its runs, or when their numbers were known.
+enum class Written { before, after };
+[[nodiscard]] std::string_view name_of(Written written);  ///< "before"
+
 /// One row: measured * factor, minus or over another quantity, lies in the paper's range.
 struct Claim {
     Loc loc;
     std::string id;      ///< "compressed_core/case_a"
     std::string source;  ///< where the paper says it: "Fig. 2 b"
     std::string says;    ///< in our words
-    std::string unit;    ///< of the compared number; "": none
+    Written written = Written::before;
+    std::string unit;  ///< of the compared number; "": none
     Quantity measured;
     std::optional<Quantity> minus, over;
     double factor = 1.0;

@@ -57,6 +57,7 @@ MeasuredRun run_of(const CsvTable& table, std::size_t row) {
     run.version = table.text(row, "version");
     run.time_s = table.number(row, "time_s");
     run.wall_s = table.number(row, "wall_s");
+    if (table.has("last_dt_s")) run.last_dt_s = table.number(row, "last_dt_s");
     // before there were marks, a report did not say of which version of the scene it was
     if (table.has("scene") && table.text(row, "scene") != "-") run.scene = table.text(row, "scene");
     Totals totals{};

@@ -1,6 +1,7 @@
 #include "engine/claims/verdict.hpp"
 
 #include "engine/base/counted.hpp"
+#include "engine/statistics/motion_at_end.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -146,7 +147,57 @@ std::string size_text(const MeasuredSetup& setup) {
                               : fmt::format("{} x {}, {}", setup.n_cells, setup.n_nodes, setup.law);
 }
 
+/// "1"; "0.25 ... 1"; "unknown" where no run says.
+std::string steps_text(const MeasuredSetup& setup) {
+    double shortest = std::numeric_limits<double>::infinity(), longest = -shortest;
+    for (const MeasuredRun& run : setup.runs) {
+        shortest = std::fmin(shortest, run.last_dt_s);
+        longest = std::fmax(longest, run.last_dt_s);
+    }
+    if (shortest > longest) return "unknown";
+    const std::string from = fmt::format("{:.3g}", shortest), to = fmt::format("{:.3g}", longest);
+    return (from == to ? to : from + " ... " + to) + " s";
+}
+
 }  // namespace
+
+std::string ends_text(const MeasuredSetup& setup) {
+    static const TotalsRow& flipped = *find_total("n_flipped_triangles");
+    std::size_t n_at_rest = 0, n_runs = 0;
+    double n_flipped = 0.0;  // NaN: of some run it is not known
+    for (const MeasuredRun& run : setup.runs) {
+        if (!run.totals) continue;
+        ++n_runs;
+        n_flipped += run.total(flipped);
+        if (run.outcome == "rest" &&
+            !statistics::is_faster_than_rest(run.totals->normal_speed_rms_um_per_s))
+            ++n_at_rest;
+    }
+    if (n_runs == 0) return "";
+    return fmt::format("rest {} of {}, flips {}, last dt {}", n_at_rest, n_runs,
+                       std::isnan(n_flipped) ? "unknown" : fmt::format("{:.0f}", n_flipped),
+                       steps_text(setup));
+}
+
+std::string ends_text(const Claim& claim, const MeasuredSetups& measured) {
+    const std::vector<std::string> names = claim.setups();
+    std::string text;
+    for (const std::string& name : names) {
+        const auto setup = measured.find(name);
+        const std::string ends = setup == measured.end() ? "" : ends_text(setup->second);
+        if (ends.empty()) continue;
+        text += (text.empty() ? "" : "; ") + (names.size() > 1 ? name + ": " : "") + ends;
+    }
+    return text;
+}
+
+std::string remark_on_motion(const MeasuredSetup& setup) {
+    std::vector<statistics::MotionAtEnd> ends;
+    for (const MeasuredRun& run : setup.runs)
+        if (run.totals)
+            ends.push_back({run.seed, run.outcome, run.totals->normal_speed_rms_um_per_s});
+    return statistics::remark_on_motion(ends);
+}
 
 std::string_view name_of(Verdict verdict) {
     switch (verdict) {
@@ -201,25 +252,37 @@ std::vector<JudgedClaim> judge_claims(const ClaimTable& table, const MeasuredSet
 reports::ReportTable claims_report(const std::vector<JudgedClaim>& judged,
                                    const MeasuredSetups& measured) {
     reports::ReportTable table;
-    table.columns = {{"claim"},         {"source", false},  {"says", false}, {"setup", false},
-                     {"number"},        {"unit"},           {"paper"},       {"tolerance"},
-                     {"mean"},          {"standard_error"}, {"seeds"},       {"law", false},
-                     {"cells", false},  {"nodes", false},   {"verdict"},     {"reason", false},
-                     {"remark", false}, {"command", false}};
+    table.columns = {{"claim"},          {"source", false}, {"says", false},    {"setup", false},
+                     {"number"},         {"unit"},          {"paper"},          {"tolerance"},
+                     {"written", false}, {"mean"},          {"standard_error"}, {"seeds"},
+                     {"ends", false},    {"law", false},    {"cells", false},   {"nodes", false},
+                     {"verdict"},        {"reason", false}, {"remark", false},  {"command", false}};
     constexpr reports::Missing none{"-"};
     for (const JudgedClaim& row : judged) {
         const Claim& claim = *row.claim;
         const MeasuredSetup* setup = setup_of(row, measured);
         table.rows.push_back(
-            {claim.id, claim.source, claim.says, setups_text(claim), number_text(claim),
-             claim.unit.empty() ? "1" : claim.unit, claim.paper.text(),
-             claim.tolerance_text().empty() ? "0" : claim.tolerance_text(), row.value.mean,
-             row.value.standard_error, std::int64_t{row.value.n},
+            {claim.id,
+             claim.source,
+             claim.says,
+             setups_text(claim),
+             number_text(claim),
+             claim.unit.empty() ? "1" : claim.unit,
+             claim.paper.text(),
+             claim.tolerance_text().empty() ? "0" : claim.tolerance_text(),
+             std::string(name_of(claim.written)),
+             row.value.mean,
+             row.value.standard_error,
+             std::int64_t{row.value.n},
+             ends_text(claim, measured),
              setup == nullptr ? "" : setup->law,
              setup == nullptr ? reports::TableCell{none} : std::int64_t{setup->n_cells},
              setup == nullptr || setup->n_nodes == 0 ? reports::TableCell{none}
                                                      : std::int64_t{setup->n_nodes},
-             std::string(name_of(row.verdict)), row.reason, claim.remark, command_of(claim)});
+             std::string(name_of(row.verdict)),
+             row.reason,
+             claim.remark,
+             command_of(claim)});
     }
     return table;
 }
@@ -232,14 +295,15 @@ double MeasuredRun::total(const TotalsRow& row) const {
 
 reports::ReportTable runs_report(const MeasuredSetups& measured) {
     reports::ReportTable table;
-    table.columns = {{"setup"},  {"seed"},    {"outcome"}, {"time_s"},
-                     {"wall_s"}, {"version"}, {"scene"}};
+    table.columns = {{"setup"},  {"seed"},      {"outcome"}, {"time_s"},
+                     {"wall_s"}, {"last_dt_s"}, {"version"}, {"scene"}};
     for (const TotalsRow& row : all_totals()) table.columns.push_back({std::string(row.name)});
     for (const auto& [name, setup] : measured)
         for (const MeasuredRun& run : setup.runs) {
             std::vector<reports::TableCell> cells{name,        static_cast<std::int64_t>(run.seed),
                                                   run.outcome, run.time_s,
-                                                  run.wall_s,  run.version};
+                                                  run.wall_s,  run.last_dt_s,
+                                                  run.version};
             if (run.scene.empty())
                 cells.emplace_back(reports::Missing{"-"});
             else
@@ -255,21 +319,24 @@ reports::ReportTable runs_report(const MeasuredSetups& measured) {
 std::string claims_markdown(const std::vector<JudgedClaim>& judged,
                             const MeasuredSetups& measured) {
     std::string text =
-        "| claim | where | the paper says | number, setup | paper | tolerance | we measure | seeds "
-        "| mesh, law | verdict | runs and verdict again |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|\n";
+        "| claim | where | the paper says | number, setup | paper | tolerance | written before "
+        "or after the runs | we measure | seeds | ends of the runs | mesh, law | verdict | runs "
+        "and "
+        "verdict again |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const JudgedClaim& row : judged) {
         const Claim& claim = *row.claim;
         const MeasuredSetup* setup = setup_of(row, measured);
         std::string verdict = fmt::format("**{}**", name_of(row.verdict));
         if (!row.reason.empty()) verdict += ": " + row.reason;
         if (!claim.remark.empty()) verdict += fmt::format(" ({})", claim.remark);
-        text +=
-            fmt::format("| `{}` | {} | {} | {}, {} | {} | {} | {} | {} | {} | {} | `{}` |\n",
-                        claim.id, claim.source, claim.says, number_text(claim), setups_text(claim),
-                        with_unit(claim.paper.text(), claim.unit), claim.tolerance_text(),
-                        with_unit(value_text(row.value), claim.unit), row.value.n,
-                        setup == nullptr ? "-" : size_text(*setup), verdict, command_of(claim));
+        text += fmt::format(
+            "| `{}` | {} | {} | {}, {} | {} | {} | {} | {} | {} | {} | {} | {} | `{}` |\n",
+            claim.id, claim.source, claim.says, number_text(claim), setups_text(claim),
+            with_unit(claim.paper.text(), claim.unit), claim.tolerance_text(),
+            name_of(claim.written), with_unit(value_text(row.value), claim.unit), row.value.n,
+            ends_text(claim, measured), setup == nullptr ? "-" : size_text(*setup), verdict,
+            command_of(claim));
     }
     return text;
 }

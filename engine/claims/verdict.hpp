@@ -4,6 +4,7 @@
 #include "engine/reports/report_table.hpp"
 #include "engine/statistics/setup_numbers.hpp"
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ struct MeasuredRun {
     std::string scene = {};             ///< scene_mark of its scene; "": not known, or beads
     /// Names of the counts that `totals` does not have, as the report of an older version did not.
     std::vector<std::string_view> missing_counts = {};
+    double last_dt_s = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known, or beads
 
     /// Of `totals`, which must be there; NaN: not known.
     [[nodiscard]] double total(const TotalsRow& row) const;
@@ -57,6 +59,16 @@ struct JudgedClaim {
 
 /// Verdict on one number. `value.standard_error` NaN (one seed) counts as none.
 [[nodiscard]] Verdict judge(const Claim& claim, const statistics::Estimate& value);
+
+/// How the runs of a setup ended, "rest 3 of 5, flips 0, last dt 1 s"; "" of beads. At rest are
+/// those that call it so and are as slow; flips are triangles of all runs together.
+[[nodiscard]] std::string ends_text(const MeasuredSetup& setup);
+/// The same of all setups of a claim, each with its name where there are several.
+[[nodiscard]] std::string ends_text(const Claim& claim, const MeasuredSetups& measured);
+
+/// "seed 1 (rest), 3 (cap): nodes still move with ...": the runs that move faster than at rest; "" if
+/// none does.
+[[nodiscard]] std::string remark_on_motion(const MeasuredSetup& setup);
 
 /// All claims, in the table's order. `table` must outlive the result. Throws Error with the claim's
 /// place when it asks for a number that there is not.

@@ -100,6 +100,13 @@ std::optional<statistics::RunStatistics> measured_run(const ClaimTable& table,
     return measure_stored_run(place.run_file());
 }
 
+/// A report that was itself kept from another one says some things already.
+void add_remark(const std::string& remark, MeasuredSetup& setup) {
+    std::vector<std::string>& said = setup.remarks;
+    if (!remark.empty() && std::find(said.begin(), said.end(), remark) == said.end())
+        said.push_back(remark);
+}
+
 MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
                             const std::string& folder, const Extent& extent,
                             const CommonOptions& options, const Invocation& invocation) {
@@ -114,10 +121,15 @@ MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
         try {
             auto run = measured_run(table, setup, seed, place, extent, options, invocation);
             if (!run) continue;
-            measured.runs.push_back(
-                {run->seed, run->outcome, run->version, run->time_s,
-                 RunFileReader(place.run_file()).end().wall_time_s, run->totals,
-                 claims::scene_mark(scene_of(table, setup, seed).resolved_toml)});
+            measured.runs.push_back({run->seed,
+                                     run->outcome,
+                                     run->version,
+                                     run->time_s,
+                                     RunFileReader(place.run_file()).end().wall_time_s,
+                                     run->totals,
+                                     claims::scene_mark(scene_of(table, setup, seed).resolved_toml),
+                                     {},
+                                     run->last_dt_s});
             if (run->outcome == "cap")
                 measured.remarks.push_back(fmt::format(
                     "seed {} ended at its cap of time, not at rest: t = {:.0f} s, {}", seed,
@@ -138,6 +150,7 @@ MeasuredSetup measure_setup(const ClaimTable& table, const ClaimedSetup& setup,
         }
     }
     if (measured.runs.empty()) return measured;
+    add_remark(claims::remark_on_motion(measured), measured);
     measured.numbers = statistics::numbers_of(runs);
     measured.law = runs.setup().law;
     measured.n_cells = runs.setup().n_cells;
@@ -178,12 +191,11 @@ void add_kept(const ClaimTable& table, const std::string& folder, MeasuredSetups
                                         folder, name, run.seed, setup->scene),
                             "make its runs again with --full --only " + name);
         }
-        const std::string unmarked =
-            "kept from a report that does not say of which version of the scene its runs are";
-        // a report that was itself kept from another one says so already
-        if (!is_marked &&
-            std::find(kept.remarks.begin(), kept.remarks.end(), unmarked) == kept.remarks.end())
-            kept.remarks.push_back(unmarked);
+        if (!is_marked)
+            add_remark("kept from a report that does not say of which version of the scene its "
+                       "runs are",
+                       kept);
+        add_remark(claims::remark_on_motion(kept), kept);
         measured[name] = std::move(kept);
     }
 }
@@ -218,7 +230,7 @@ std::string verdicts_text(const std::vector<JudgedClaim>& judged) {
     return text;
 }
 
-nlohmann::json json_of(const JudgedClaim& row) {
+nlohmann::json json_of(const JudgedClaim& row, const MeasuredSetups& measured) {
     const claims::Claim& claim = *row.claim;
     return {{"id", claim.id},
             {"claim", claim.id},
@@ -230,11 +242,13 @@ nlohmann::json json_of(const JudgedClaim& row) {
             {"paper", claim.paper.text()},
             {"tolerance", claim.tolerance},
             {"tolerance_factor", claim.tolerance_factor},
+            {"written", claims::name_of(claim.written)},
             {"ours", number_or_null(row.value.mean)},
             {"error", number_or_null(row.value.standard_error)},
             {"mean", number_or_null(row.value.mean)},
             {"standard_error", number_or_null(row.value.standard_error)},
             {"seeds", row.value.n},
+            {"ends", claims::ends_text(claim, measured)},
             {"verdict", claims::name_of(row.verdict)},
             {"reason", row.reason},
             {"remark", claim.remark},
@@ -283,7 +297,7 @@ ExitCode reproduce(const ReproduceArguments& arguments, const Invocation& invoca
         write_files(folder, judged, measured, remarks, arguments, invocation);
     if (arguments.common.json) {
         nlohmann::json rows = nlohmann::json::array();
-        for (const JudgedClaim& row : judged) rows.push_back(json_of(row));
+        for (const JudgedClaim& row : judged) rows.push_back(json_of(row, measured));
         print_json({{"claims", rows}, {"remarks", remarks}, {"files", files}});
     } else {
         fmt::print("{}\n", claims::claims_report(judged, measured).aligned_text());

@@ -101,6 +101,7 @@ RunStatistics measure_run(const SnapshotPtr& frame, std::span<const Change> chan
     run.version = header.version;
     run.stage_name = frame->stage_name;
     run.time_s = frame->time_s;
+    run.last_dt_s = frame->diagnostics.dt_s;
     run.setup = setup_of(header, changes);
     run.totals = frame->totals;
     run.R_th_um = aggregate.R_th_um;

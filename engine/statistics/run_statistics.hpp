@@ -28,6 +28,7 @@ struct RunStatistics {
     std::string outcome;     ///< "" while the run goes on
     std::string stage_name;  ///< of the frame
     double time_s = 0.0;
+    double last_dt_s = 0.0;  ///< the last accepted step before the frame
     Setup setup;
     Totals totals{};
     double R_th_um = 0.0;

@@ -90,6 +90,24 @@ TEST(ClaimTable, HasATolerancePerClaimThatIsADifferenceOrAFactor) {
     EXPECT_EQ(tenfold.accepted().max, -35.8);
 }
 
+TEST(ClaimTable, SaysWhichClaimsWereWrittenAfterTheRuns) {
+    const auto written = [](const std::string& key) {
+        return parse_claims(claim("setup = \"a\"\nnumber = \"x\"\nis = 3\n" + key), "my.claims")
+            .claims.front()
+            .written;
+    };
+    EXPECT_EQ(written(""), Written::before);
+    EXPECT_EQ(written("written = \"before\"\n"), Written::before);
+    EXPECT_EQ(written("written = \"after\"\n"), Written::after);
+    // each row of a claim with several setups
+    for (const Claim& row :
+         parse_claims(
+             claim("setup = [\"a\", \"b\"]\nnumber = \"x\"\nis = 3\nwritten = \"after\"\n"),
+             "my.claims")
+             .claims)
+        EXPECT_EQ(row.written, Written::after) << row.id;
+}
+
 TEST(ClaimTable, NamesThePlaceOfAMistake) {
     const std::string good = "setup = \"a\"\nnumber = \"x\"\n";
     const std::pair<std::string, std::string> mistakes[]{
@@ -98,6 +116,9 @@ TEST(ClaimTable, NamesThePlaceOfAMistake) {
         {claim(good + "between = [2, 1]\n"), "the smaller number first"},
         {claim(good + "is = \"many\"\n"), "my.claims:18:6: error: 'is' wants a number"},
         {claim(good + "is = 1\ntolerance = -1\n"), "a number from 0"},
+        {claim(good + "is = 1\nwritten = \"later\"\n"),
+         "my.claims:19:11: error: 'written' wants \"before\" or \"after\" (the runs), got "},
+        {claim(good + "is = 1\nwritten = true\n"), "'written' wants \"before\" or \"after\""},
         {claim(good + "is = 1\ntolerance_factor = 0.5\n"), "a number from 1"},
         {claim(good + "is = 1\ntolerance = 1\ntolerance_factor = 2\n"), "got both"},
         {claim(good + "between = [-1, 1]\ntolerance_factor = 2\n"), "on one side of zero"},

@@ -53,6 +53,7 @@ TEST_F(KeptReport, HasEverythingThatClaimsAreJudgedBy) {
     totals.probe_way_um = k_nan;
     soft.runs = {{1, "rest", "0.1", 300.0, 15.5, totals, "00000000deadbeef"},
                  {2, "cap", "0.1", 600.0, 30.0, totals, ""}};
+    soft.runs[0].last_dt_s = 1.0 / 3.0;
     MeasuredSetup& beads = measured["beads"];
     beads.law = "-";
     beads.n_cells = 1000;
@@ -78,6 +79,8 @@ TEST_F(KeptReport, HasEverythingThatClaimsAreJudgedBy) {
     ASSERT_EQ(again.runs.size(), 2U);
     EXPECT_EQ(again.runs[0].scene, "00000000deadbeef");
     EXPECT_EQ(again.runs[1].scene, "");
+    EXPECT_EQ(again.runs[0].last_dt_s, 1.0 / 3.0);
+    EXPECT_TRUE(std::isnan(again.runs[1].last_dt_s));
     ASSERT_TRUE(again.runs[1].totals.has_value());
     EXPECT_EQ(again.runs[1].totals->contact_fraction, 1.0 / 3.0);
     EXPECT_EQ(again.runs[1].totals->n_folds, 7);
@@ -184,6 +187,20 @@ TEST_F(KeptReport, DoesNotKnowACountThatAnOldOneDoesNotHave) {
     EXPECT_TRUE(std::isnan(kept_setups(folder).at("soft").runs[0].total(folds)));
     write(measured);
     EXPECT_EQ(kept_setups(folder).at("soft").runs[0].total(folds), 7.0);
+}
+
+TEST_F(KeptReport, DoesNotKnowTheLastStepThatAnOldOneDoesNotHave) {
+    MeasuredSetups measured;
+    measured["soft"].runs = {{1, "rest", "0.1", 300.0, 15.5, Totals{}, ""}};
+    measured["soft"].runs[0].last_dt_s = 1.0;
+    write(measured);
+    EXPECT_EQ(ends_text(kept_setups(folder).at("soft")), "rest 1 of 1, flips 0, last dt 1 s");
+    std::string runs = runs_report(measured).csv_text({});
+    const std::string name = ",last_dt_s";
+    ASSERT_NE(runs.find(name), std::string::npos);
+    runs.replace(runs.find(name), name.size(), ",first_dt_s");
+    write("runs.csv", runs);
+    EXPECT_EQ(ends_text(kept_setups(folder).at("soft")), "rest 1 of 1, flips 0, last dt unknown");
 }
 
 TEST_F(KeptReport, SaysWhereACountIsNone) {

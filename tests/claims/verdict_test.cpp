@@ -261,6 +261,76 @@ TEST(PaperClaims, EachVerdictFlipsWithItsNumber) {
     }
 }
 
+MeasuredSetup ended(const std::vector<std::string>& outcomes) {
+    MeasuredSetup setup = measured({number("x", std::vector<double>(outcomes.size(), 1.0))}, {});
+    for (const std::string& outcome : outcomes) {
+        MeasuredRun& run = setup.runs.emplace_back();
+        run.seed = setup.runs.size();
+        run.outcome = outcome;
+        run.totals = Totals{};
+        run.last_dt_s = 0.5 * static_cast<double>(run.seed);
+    }
+    return setup;
+}
+
+TEST(EndsOfRuns, CountThoseAtRestAndAllFlippedTriangles) {
+    MeasuredSetup setup = ended({"rest", "cap", "rest"});
+    EXPECT_EQ(ends_text(setup), "rest 2 of 3, flips 0, last dt 0.5 ... 1.5 s");
+    setup.runs[0].totals->n_flipped_triangles = 2;
+    setup.runs[1].totals->n_flipped_triangles = 1;
+    setup.runs[2].totals->normal_speed_rms_um_per_s = 2e-3;
+    EXPECT_EQ(ends_text(setup), "rest 1 of 3, flips 3, last dt 0.5 ... 1.5 s")
+        << "what moves is not at rest, whatever it is called";
+    EXPECT_EQ(remark_on_motion(setup).find("seed 3 (rest): nodes still move with 0.002 um/s"), 0U);
+    setup.runs[1].missing_counts = {"n_flipped_triangles"};
+    EXPECT_EQ(ends_text(setup), "rest 1 of 3, flips unknown, last dt 0.5 ... 1.5 s");
+    MeasuredSetup beads = measured({number("jamming_fraction", {0.64, 0.64})});
+    EXPECT_EQ(ends_text(beads), "");
+    EXPECT_EQ(remark_on_motion(beads), "");
+}
+
+TEST(ClaimsReport, SaysOfEachRowWhenItWasWrittenAndHowItsRunsEnded) {
+    const ClaimTable table = parse_claims(R"(
+[[setup]]
+name = "a"
+scene = "a.toml"
+seeds = [1, 2]
+[[setup]]
+name = "b"
+scene = "b.toml"
+seeds = [1]
+[[claim]]
+id = "of_one"
+source = "s"
+says = "t"
+setup = "a"
+number = "x"
+is = 1
+[[claim]]
+id = "of_two"
+written = "after"
+source = "s"
+says = "t"
+setup = "a"
+number = "x"
+over = { setup = "b" }
+is = 1
+)",
+                                          "t.claims");
+    const MeasuredSetups setups{{"a", ended({"rest", "cap"})}, {"b", ended({"rest"})}};
+    const auto judged = judge_claims(table, setups);
+    const std::string of_a = "rest 1 of 2, flips 0, last dt 0.5 ... 1 s",
+                      of_both = "a: " + of_a + "; b: rest 1 of 1, flips 0, last dt 0.5 s";
+    const std::string page = claims_markdown(judged, setups);
+    for (const std::string& part :
+         {"| before | 1 +- 0 | 2 | " + of_a + " |", "| after | 1 | 1 | " + of_both + " |"})
+        EXPECT_NE(page.find(part), std::string::npos) << part << "\n" << page;
+    const std::string file = claims_report(judged, setups).csv_text({});
+    for (const std::string& part : {",before,1,0,2,\"" + of_a + "\",", std::string(",after,1,")})
+        EXPECT_NE(file.find(part), std::string::npos) << part << "\n" << file;
+    EXPECT_NE(file.find("\"" + of_both + "\""), std::string::npos) << file;
+}
+
 TEST(JudgeClaims, SaysWhatAKeptReportDoesNotHave) {
     const ClaimTable table = parse_claims(R"(
 [[setup]]

@@ -96,6 +96,12 @@ TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
     EXPECT_EQ(row["paper"], "1");
     EXPECT_EQ(row["ours"], 1.0);
     EXPECT_TRUE(row["error"].is_null()) << "one seed";
+    EXPECT_EQ(row["written"], "before");
+    EXPECT_EQ(row["ends"].get<std::string>().find("rest 0 of 1, flips 0, last dt 0.0"), 0U)
+        << row["ends"];
+    EXPECT_NE(json_of(quick)["remarks"].dump().find("soft, seed 1 (done): nodes still move with "),
+              std::string::npos)
+        << quick.out;
     EXPECT_EQ(row["command"], "spheroscope reproduce small.claims --full --only soft");
     EXPECT_TRUE(std::filesystem::exists(path("out/soft/seed=1/run.h5")));
     EXPECT_FALSE(std::filesystem::exists(path("out/soft/seed=2/run.h5")));
@@ -117,7 +123,8 @@ TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
 }
 
 TEST_F(Reproduce, GoesOnWithTheNumbersOfAnEarlierReport) {
-    ASSERT_EQ(reproduce("--full").code, 0);
+    const Outcome full = reproduce("--full");
+    ASSERT_EQ(full.code, 0);
     std::filesystem::create_directories(path("report"));
     for (const char* name : {"numbers.csv", "runs.csv"})
         std::filesystem::copy_file(path("out/" + std::string(name)),
@@ -142,6 +149,14 @@ TEST_F(Reproduce, GoesOnWithTheNumbersOfAnEarlierReport) {
     EXPECT_EQ(text_of("out/numbers.csv"), text_of("report/numbers.csv"));
     const std::string marked = text_of("report/runs.csv");
     EXPECT_EQ(text_of("out/runs.csv"), marked);
+
+    // said once of kept runs too, and the end of each of them is known
+    const auto rows = json_of(kept);
+    EXPECT_EQ(rows["claims"][0]["ends"], json_of(full)["claims"][0]["ends"]);
+    const std::string said = rows["remarks"].dump();
+    const std::size_t at = said.find("soft, seed 1 (done), 2 (done): nodes still move with ");
+    ASSERT_NE(at, std::string::npos) << said;
+    EXPECT_EQ(said.find("soft, seed 1 (done)", at + 1), std::string::npos) << said;
 
     // an older report does not mark the scenes of its runs; kept twice, it says so once
     std::string unmarked = marked;
