@@ -116,6 +116,7 @@ PlotArea add_panel(vtkContextScene* scene, const reports::Plot::Panel& panel,
         paint_bands(painter, area, panel.bands);
     };
     above->paint = [area, &panel, &styles](vtkContext2D& painter) {
+        paint_break(painter, area, panel.bands);
         paint_band_names(painter, area, panel.bands);
         for (const reports::Plot::Series& series : panel.series)
             paint_error_bars(painter, area, series, styles.colour(series));

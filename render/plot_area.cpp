@@ -27,12 +27,36 @@ int vtk_line_type(reports::Plot::Line line) {
     return vtkPen::NO_PEN;
 }
 
+double at_place(const AxisRange& range, double place, int low_px, int high_px) {
+    const double share = (place - range.low) / (range.high - range.low);
+    return low_px + std::clamp(share, 0.0, 1.0) * (high_px - low_px);
+}
+
 /// Ends of the axis for what is beyond them.
 double along(const AxisRange& range, double value, int low_px, int high_px) {
     const bool is_below = range.is_logarithmic && value <= 0.0;
-    const double share =
-        is_below ? 0.0 : (range.place(value) - range.low) / (range.high - range.low);
-    return low_px + std::clamp(share, 0.0, 1.0) * (high_px - low_px);
+    return at_place(range, is_below ? range.low : range.place(value), low_px, high_px);
+}
+
+/// Widens the range of the points and adds the bands to it: to scale, or behind a break.
+void include_bands(const reports::Plot::Panel& panel, AxisRange& range) {
+    constexpr double k_smallest_share = 0.25;  // of the axis for points
+    AxisRange whole = range, of_bands = range;
+    of_bands.low = 1.0;
+    of_bands.high = -1.0;
+    for (const reports::Plot::Band& band : panel.bands)
+        for (const double end : {band.low, band.high}) {
+            whole.include(end);
+            of_bands.include(end);
+        }
+    const auto is_beside = [&] { return of_bands.high < range.low || of_bands.low > range.high; };
+    const bool is_broken = panel.y_axis.breaks_before_bands && !range.is_logarithmic &&
+                           !panel.bands.empty() && range.low <= range.high && is_beside() &&
+                           range.high - range.low < k_smallest_share * (whole.high - whole.low);
+    if (!is_broken) range = whole;
+    if (panel.y_axis.categories.empty() && !panel.map) range.widen();
+    // not where the room around the points has reached them
+    if (is_broken && is_beside()) range.break_off(of_bands.low, of_bands.high);
 }
 
 }  // namespace
@@ -42,6 +66,10 @@ double PlotArea::x(double value) const {
 }
 double PlotArea::y(double value) const {
     return along(y_range, value, chart->GetPoint1()[1], chart->GetPoint2()[1]);
+}
+double PlotArea::break_y() const {
+    return at_place(y_range, y_range.broken.value().gap, chart->GetPoint1()[1],
+                    chart->GetPoint2()[1]);
 }
 double PlotArea::left() const { return chart->GetPoint1()[0]; }
 double PlotArea::right() const { return chart->GetPoint2()[0]; }
@@ -64,12 +92,8 @@ PlotArea area_of(const reports::Plot::Panel& panel, vtkChartXY* chart) {
                 area.y_range.include(series.y[i] + series.error[i]);
             }
         }
-    for (const reports::Plot::Band& band : panel.bands) {
-        area.y_range.include(band.low);
-        area.y_range.include(band.high);
-    }
     if (x_axis.categories.empty()) area.x_range.widen();
-    if (y_axis.categories.empty()) area.y_range.widen();
+    include_bands(panel, area.y_range);
     set_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x_title, area.x_range, x_axis.categories);
     set_axis(chart->GetAxis(vtkAxis::LEFT), panel.y_title, area.y_range, y_axis.categories);
     return area;

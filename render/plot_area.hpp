@@ -22,6 +22,8 @@ struct PlotArea {
     /// Values beyond an axis are at its end.
     [[nodiscard]] double x(double value) const;
     [[nodiscard]] double y(double value) const;
+    /// Where the axis of y is interrupted. Precondition: it is.
+    [[nodiscard]] double break_y() const;
     [[nodiscard]] double left() const;
     [[nodiscard]] double right() const;
     [[nodiscard]] double top() const;

@@ -54,7 +54,19 @@ AxisRange::AxisRange(const reports::Plot::Axis& axis)
     high = static_cast<double>(axis.categories.size()) - 0.5;
 }
 
-double AxisRange::place(double value) const { return is_logarithmic ? std::log10(value) : value; }
+double AxisRange::place(double value) const {
+    if (is_logarithmic) return std::log10(value);
+    if (!broken) return value;
+    const Break& b = *broken;
+    const double way = b.far_begin < b.near ? -1.0 : 1.0;  // from the near end to the strip
+    if (way * (value - b.near) <= 0.0) return value;
+    const auto between = [](double v, double v0, double v1, double p0, double p1) {
+        return v0 == v1 ? p1 : std::lerp(p0, p1, std::clamp((v - v0) / (v1 - v0), 0.0, 1.0));
+    };
+    if (way * (value - b.far_begin) <= 0.0)
+        return between(value, b.near, b.far_begin, b.near, b.place_begin);
+    return between(value, b.far_begin, b.far_end, b.place_begin, b.place_end);
+}
 
 void AxisRange::include(double value) {
     if (!std::isfinite(value) || (is_logarithmic && value <= 0.0)) return;
@@ -81,6 +93,21 @@ void AxisRange::widen() {
     const double width = high > low ? high - low : std::max(1e-3, 0.2 * std::abs(high));
     low = low >= 0.0 && low < 0.5 * high ? 0.0 : low - 0.06 * width;
     high += 0.06 * width;
+}
+
+void AxisRange::break_off(double begin, double end) {
+    // Shares of what is drawn to scale: a line of text beside the band, and the sign of the break.
+    constexpr double k_gap = 0.04, k_first = 0.13, k_last = 0.18, k_strip = 0.25;
+    const double height = high - low;
+    const bool is_below = end < low;
+    const double near = is_below ? low : high, way = is_below ? -height : height;
+    broken = Break{near,
+                   is_below ? end : begin,
+                   is_below ? begin : end,
+                   near + k_first * way,
+                   near + (begin == end ? k_first : k_last) * way,
+                   near + k_gap * way};
+    (is_below ? low : high) = near + k_strip * way;
 }
 
 std::vector<AxisTick> logarithmic_ticks(const AxisRange& range) {
@@ -123,8 +150,15 @@ void set_axis(vtkAxis* axis, const std::string& title, const AxisRange& range,
     } else if (range.is_logarithmic) {
         for (const AxisTick& tick : logarithmic_ticks(range)) add(tick.place, tick.label);
     } else {
-        const double step = tick_step(range.high - range.low, 5);
-        for (double i = std::ceil(range.low / step); i * step <= range.high; ++i)
+        double low = range.low, high = range.high;  // of what is drawn to scale
+        if (const auto& broken = range.broken) {
+            (broken->far_begin < broken->near ? low : high) = broken->near;
+            add(broken->place_begin, tick_label(broken->far_begin, 1.0));
+            if (broken->far_end != broken->far_begin)
+                add(broken->place_end, tick_label(broken->far_end, 1.0));
+        }
+        const double step = tick_step(high - low, 5);
+        for (double i = std::ceil(low / step); i * step <= high; ++i)
             add(i * step, tick_label(i * step, step));
     }
     axis->SetCustomTickPositions(places, labels);

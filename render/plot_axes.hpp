@@ -2,6 +2,7 @@
 
 #include "engine/reports/plot.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,16 @@ void set_font(vtkTextProperty* text, int size, const char* file = nullptr);
 
 /// What one axis shows; in powers of ten where it is logarithmic.
 struct AxisRange {
+    /// Where the axis is interrupted: what is beyond `near` stands in a strip of its own.
+    struct Break {
+        double near;                    ///< the end of what is drawn to scale, value and place
+        double far_begin, far_end;      ///< values of the strip; the same: one
+        double place_begin, place_end;  ///< theirs
+        double gap;                     ///< place of the interruption
+    };
     double low = 1.0, high = -1.0;
     bool is_logarithmic;
+    std::optional<Break> broken;
 
     explicit AxisRange(const reports::Plot::Axis& axis);
     /// Where a value stands on the axis.
@@ -26,6 +35,9 @@ struct AxisRange {
     /// Some space around the points, but none below zero where all are above it; of a logarithmic
     /// axis as much as two labels need.
     void widen();
+    /// Adds a strip for [begin, end], which is on one side of the range. Precondition: widened,
+    /// linear.
+    void break_off(double begin, double end);
 };
 
 /// A label of an axis and its place on it.

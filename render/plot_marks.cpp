@@ -46,6 +46,22 @@ void paint_band_names(vtkContext2D& painter, const PlotArea& area,
     }
 }
 
+void paint_break(vtkContext2D& painter, const PlotArea& area,
+                 const std::vector<reports::Plot::Band>& bands) {
+    if (!area.y_range.broken) return;
+    paint_bands(painter, area, bands);
+    constexpr double half_gap_px = 3.0;
+    const double y = area.break_y();
+    use_brush(painter, {255, 255, 255});
+    fill(painter, area.left() - 2.0, y - half_gap_px, area.right() + 2.0, y + half_gap_px);
+    use_pen(painter, k_plot_ink, 1.2F);
+    const auto x = static_cast<float>(area.left());
+    for (const double edge : {y - half_gap_px, y + half_gap_px}) {
+        const auto middle = static_cast<float>(edge);
+        painter.DrawLine(x - 6.0F, middle - 3.0F, x + 6.0F, middle + 3.0F);
+    }
+}
+
 void paint_error_bars(vtkContext2D& painter, const PlotArea& area,
                       const reports::Plot::Series& series, Rgb colour) {
     use_pen(painter, colour, 1.4F);

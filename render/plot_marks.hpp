@@ -19,6 +19,10 @@ void paint_bands(vtkContext2D& painter, const PlotArea& area,
                  const std::vector<reports::Plot::Band>& bands);
 void paint_band_names(vtkContext2D& painter, const PlotArea& area,
                       const std::vector<reports::Plot::Band>& bands);
+/// The sign that the axis of y is interrupted, if it is: a gap across the panel, and two strokes;
+/// and the bands once more, on which the grid has drawn lines at their ends.
+void paint_break(vtkContext2D& painter, const PlotArea& area,
+                 const std::vector<reports::Plot::Band>& bands);
 void paint_error_bars(vtkContext2D& painter, const PlotArea& area,
                       const reports::Plot::Series& series, Rgb colour);
 void paint_map(vtkContext2D& painter, const PlotArea& area, const reports::Plot::Map& map);

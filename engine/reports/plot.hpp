@@ -29,6 +29,9 @@ struct Plot {
     struct Axis {
         bool is_logarithmic = true;
         std::vector<std::string> categories{};  ///< at 0, 1, 2, ...; then the axis is linear
+        /// Of y, linear: where bands beside the points would leave them less than a quarter of the
+        /// axis, it is interrupted between them, and the bands stand in a strip of their own.
+        bool breaks_before_bands = false;
     };
     /// Values over two lists of categories.
     struct Map {

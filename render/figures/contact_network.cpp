@@ -107,13 +107,13 @@ Figure contact_network(Setups setups) {
     Figure figure;
     figure.table = empty_table();
     figure.plot.columns = 2;
-    add_ratio_panel(figure, setups, {"a", "coordination_Z", "1", "", ""},
-                    "a  mean number of touching cells", "Z", [](const SetupStatistics& setup) {
-                        return statistics::over_seeds(
-                            setup, [](const statistics::RunStatistics& run) {
-                                return run.coordination_at(run.touching_area_um2);
-                            });
-                    });
+    add_ratio_panel(
+        figure, setups, {"a", "coordination_Z", "1", "", ""}, "a  mean number of touching cells",
+        "Z", Joined::none, [](const SetupStatistics& setup) {
+            return statistics::over_seeds(setup, [](const statistics::RunStatistics& run) {
+                return run.coordination_at(run.touching_area_um2);
+            });
+        });
     add_threshold_panel(figure, setups);
     // Of every setup: b = 1 and free, over all pairs and over those that push.
     std::vector<TailFit> fits;
@@ -141,7 +141,7 @@ Figure contact_network(Setups setups) {
     // The rows of panel d are there already; the panel has those with b = 1.
     Figure panel_d;
     add_ratio_panel(panel_d, setups, {"d", "beta", "1", "", ""},
-                    "d  exponent of P(f) ~ exp(−fᵝ), f > 1", "β",
+                    "d  exponent of P(f) ~ exp(−fᵝ), f > 1", "β", Joined::none,
                     [&](const SetupStatistics& setup) -> statistics::Estimate {
                         const TailFit& fit = fits[static_cast<std::size_t>(&setup - setups.data())];
                         if (!fit.exists()) return {};

@@ -100,10 +100,23 @@ std::vector<double> different_ratios(Setups setups) {
     return ratios;
 }
 
+/// How far from the middle of its category a setup stands: those of one ratio side by side, so that
+/// no error bar hides another one.
+double beside(Setups setups, const statistics::SetupStatistics& setup) {
+    int n = 0, number = 0;
+    for (const statistics::SetupStatistics& other : setups) {
+        if (!is_same_ratio(other.setup().Et_over_omega, setup.setup().Et_over_omega)) continue;
+        if (&other == &setup) number = n;
+        ++n;
+    }
+    constexpr double k_most = 0.4, k_apart = 0.1;  // of the distance of categories
+    return (number - 0.5 * (n - 1)) * std::min(k_apart, k_most / n);
+}
+
 }  // namespace
 
 void add_ratio_panel(Figure& figure, Setups setups, const Place& place, const std::string& title,
-                     const std::string& y_title, const EstimateOf& estimate) {
+                     const std::string& y_title, Joined joined, const EstimateOf& estimate) {
     reports::Plot::Panel panel{title, "Et/ω", y_title};
     panel.y_axis.is_logarithmic = false;
     const std::vector<double> ratios = different_ratios(setups);
@@ -125,10 +138,16 @@ void add_ratio_panel(Figure& figure, Setups setups, const Place& place, const st
                                                  ratio == ratios.end() ? "Et/ω" : place.quantity));
             continue;
         }
-        const auto [at, is_new] = series_of.emplace(setup.family, panel.series.size());
-        if (is_new) panel.series.push_back({setup.family, {}, {}});
+        const std::string& name = joined == Joined::families ? setup.family : setup.label;
+        const auto [at, is_new] = series_of.emplace(name, panel.series.size());
+        if (is_new) panel.series.push_back({name, {}, {}});
         reports::Plot::Series& series = panel.series[at->second];
-        series.x.push_back(static_cast<double>(std::distance(ratios.begin(), ratio)));
+        double x = static_cast<double>(std::distance(ratios.begin(), ratio));
+        if (joined == Joined::none) {
+            series.line = reports::Plot::Line::none;
+            x += beside(setups, setup);
+        }
+        series.x.push_back(x);
         series.y.push_back(value.mean);
         series.error.push_back(value.standard_error);
     }

@@ -31,10 +31,13 @@ void add_profile_panel(Figure& figure, Setups setups, const Place& place, const 
                        const std::string& y_title, double scale, SamplesOf samples,
                        std::size_t number = 0);
 
-/// A number of each setup over Et/omega as a panel: one line per family of setups.
+/// What the points of a panel over Et/omega are joined to: those of one family to a line, or
+/// none, where each setup has a name of its own in the other panels.
+enum class Joined { families, none };
+/// A number of each setup over Et/omega as a panel.
 using EstimateOf = std::function<statistics::Estimate(const statistics::SetupStatistics&)>;
 void add_ratio_panel(Figure& figure, Setups setups, const Place& place, const std::string& title,
-                     const std::string& y_title, const EstimateOf& estimate);
+                     const std::string& y_title, Joined joined, const EstimateOf& estimate);
 
 /// Experimental ranges of the stress of cells, Pa, by row of all_cell_stresses(); empty where
 /// there is none.

@@ -25,8 +25,10 @@ Figure stress_statistics(Setups setups) {
         const std::string quantity(rows[r].quantity);
         add_ratio_panel(figure, setups, {panel, quantity, "Pa", "", ""},
                         fmt::format("{}  {}", panel, rows[r].label), stress_title(r),
-                        estimate(Weighting::equal));
+                        Joined::families, estimate(Weighting::equal));
         figure.plot.panels.back().bands = experimental_bands(r);
+        // the experiment's mean normal stress is ten times ours
+        figure.plot.panels.back().y_axis.breaks_before_bands = r == 0;
         for (const statistics::SetupStatistics& setup : setups)
             add_row(figure.table, setup,
                     {panel, quantity + "_area_weighted", "Pa", "Et_over_omega",

@@ -244,6 +244,37 @@ TEST(ContactNetwork, FitsAnExponentialWithOne) {
     EXPECT_EQ(figure.plot.panels[2].series[1].colour_of, setups[0].label) << "its fit";
 }
 
+TEST(ContactNetwork, HasOneNameForEachSetupAndNoLineBetweenSetups) {
+    const auto setups =
+        group_by_setup({made_up_run(1, 0.125, 1), made_up_run(1, 8, 1), made_up_run(4, 8, 1)});
+    const Figure figure = contact_network(setups);
+    std::set<std::string> names;
+    for (const reports::Plot::Panel& panel : figure.plot.panels)
+        for (const reports::Plot::Series& series : panel.series)
+            if (series.colour_of.empty()) names.insert(series.name);
+    EXPECT_EQ(names, (std::set<std::string>{setups[0].label, setups[1].label, setups[2].label}));
+    for (const std::size_t p : {0U, 3U}) {
+        const reports::Plot::Panel& panel = figure.plot.panels[p];
+        ASSERT_EQ(panel.series.size(), 3U) << panel.title;
+        for (const reports::Plot::Series& series : panel.series) {
+            EXPECT_EQ(series.line, reports::Plot::Line::none) << series.name;
+            EXPECT_EQ(series.x.size(), 1U);
+        }
+        EXPECT_EQ(panel.series[0].x[0], 0.0) << "alone in its category";
+        EXPECT_NEAR(panel.series[1].x[0], 0.95, 1e-12);
+        EXPECT_NEAR(panel.series[2].x[0], 1.05, 1e-12) << "beside the other one with Et/omega = 8";
+    }
+    EXPECT_EQ(stress_statistics(setups).plot.panels[0].series.size(), 2U)
+        << "there a line over Et/omega for each gamma/omega";
+}
+
+TEST(StressFigures, BreakTheAxisBeforeTheExperimentsMeanNormalStressAlone) {
+    const auto setups = two_setups();
+    for (const Figure& figure : {stress_profiles(setups), stress_statistics(setups)})
+        for (std::size_t p = 0; p < figure.plot.panels.size(); ++p)
+            EXPECT_EQ(figure.plot.panels[p].y_axis.breaks_before_bands, p == 0) << p;
+}
+
 TEST(ContactNetwork, SaysWhichSetupHasTooFewForces) {
     auto few = made_up_run(1, 8, 1);
     few.pairs.resize(20);

@@ -313,6 +313,86 @@ TEST(Axis, ThatIsLogarithmicHasTwoLabelsOrMoreHoweverShort) {
     EXPECT_EQ(labels, (std::vector<std::string>{"2·10⁻³", "5·10⁻³"}));
 }
 
+AxisRange range_of(double low, double high) {
+    reports::Plot::Axis axis;
+    axis.is_logarithmic = false;
+    AxisRange range(axis);
+    range.include(low);
+    range.include(high);
+    range.widen();
+    return range;
+}
+
+TEST(Axis, ThatIsBrokenIsToScaleForPointsAndKeepsTheOrder) {
+    struct Case {
+        double begin, end;  // of what is far away
+    };
+    for (const Case far :
+         {Case{-358.0, -358.0}, Case{-400.0, -300.0}, Case{900.0, 900.0}, Case{500.0, 900.0}}) {
+        SCOPED_TRACE(far.begin);
+        const AxisRange whole = range_of(-20.0, 5.0);
+        AxisRange range = whole;
+        range.break_off(far.begin, far.end);
+        EXPECT_EQ(range.high - range.low, 1.25 * (whole.high - whole.low));
+        for (const double value : {-20.0, -3.0, 0.0, 5.0}) EXPECT_EQ(range.place(value), value);
+        const double between = 0.5 * (far.begin + (far.begin < 0.0 ? whole.low : whole.high));
+        std::vector<double> values{far.begin, far.end, between, whole.low, 0.0, whole.high};
+        std::sort(values.begin(), values.end());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double place = range.place(values[i]);
+            EXPECT_TRUE(place >= range.low && place <= range.high) << values[i];
+            if (i > 0) {
+                EXPECT_GE(place, range.place(values[i - 1])) << values[i];
+            }
+        }
+        const double gap = range.broken->gap;
+        EXPECT_TRUE(gap < whole.low || gap > whole.high);
+        EXPECT_EQ(range.place(far.begin) < gap, far.begin < 0.0) << "the sign is between them";
+    }
+}
+
+/// Rows of the picture in which the first colour is, from the first to the last.
+int rows_of_first_colour(const reports::Plot& plot, const TemporaryFolder& folder) {
+    draw_plot(plot, folder.path() / "plot.png", folder.path() / "plot.svg");
+    const Image image = read_png(folder.path() / "plot.png").image;
+    int first = image.height, last = 0;
+    for (int y = 90; y < image.height; ++y)  // below title and legend
+        for (int x = 0; x < image.width; ++x)
+            if (image.at(x, y) == Rgb{0, 114, 178}) {
+                first = std::min(first, y);
+                last = std::max(last, y);
+            }
+    return last - first;
+}
+
+TEST(Plot, BreaksItsAxisWhereABandIsFarFromAllPoints) {
+    reports::Plot plot;
+    plot.title = "Stress";
+    reports::Plot::Panel panel{"a  mean normal stress", "r / R_th", "stress (Pa)"};
+    panel.x_axis.is_logarithmic = panel.y_axis.is_logarithmic = false;
+    panel.series = {{"one", {0.25, 0.5, 0.75}, {-20.0, 4.0, -8.0}, {2.0, 2.0, 2.0}}};
+    panel.bands = {{-358.0, -358.0, "experiment"}};
+    plot.panels = {panel};
+    plot.legend_above = true;
+    const TemporaryFolder folder;
+    const int flat = rows_of_first_colour(plot, folder);
+    plot.panels[0].y_axis.breaks_before_bands = true;
+    const int spread = rows_of_first_colour(plot, folder);
+    EXPECT_LT(flat, 60) << "of 320 rows";
+    EXPECT_GT(spread, 180);
+    std::ifstream file(folder.path() / "plot.svg");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (const char* word : {">−358<", ">−20<", ">0<", "experiment"})
+        EXPECT_NE(text.find(word), std::string::npos) << word;
+    EXPECT_EQ(text.find(">−300<"), std::string::npos);
+
+    // a band near the points is to scale
+    plot.panels[0].bands[0] = {-40.0, -40.0, "experiment"};
+    const int near = rows_of_first_colour(plot, folder);
+    plot.panels[0].y_axis.breaks_before_bands = false;
+    EXPECT_EQ(near, rows_of_first_colour(plot, folder));
+}
+
 TEST(Plot, WithoutAPanelIsRefused) {
     EXPECT_THROW(draw_plot({}, "/nowhere/a.png", "/nowhere/a.svg"), Error);
 }
