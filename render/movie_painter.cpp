@@ -2,6 +2,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/measures/totals.hpp"
+#include "render/layers/caption.hpp"
 #include "render/layers/plot_strip.hpp"
 #include "render/provenance.hpp"
 #include "render/run_differences.hpp"
@@ -58,6 +59,8 @@ struct MoviePainter::Hidden {
     std::optional<PlotStrip> strip;
     std::string strip_text;  // all numbers of the strip, for the fingerprint
     std::unique_ptr<PlotStripPainter> strip_painter;
+    std::string caption_text;
+    std::optional<Image> caption;
 
     const Snapshot& snapshot(std::size_t run, int frame) {
         if (!current[run] || current[run]->frame != frame) current[run] = runs[run]->frame(frame);
@@ -107,7 +110,17 @@ MoviePainter::~MoviePainter() = default;
 std::array<int, 2> MoviePainter::size_px() const {
     const Hidden& h = *hidden_;
     const int height = h.picture.size_px[1];
-    return {h.width_px(), height + (h.strip ? PlotStripPainter::height_px(height) : 0)};
+    return {h.width_px(), height + (h.strip ? PlotStripPainter::height_px(height) : 0) +
+                              (h.caption ? h.caption->height : 0)};
+}
+
+void MoviePainter::set_caption(const std::vector<std::string>& lines) {
+    Hidden& h = *hidden_;
+    h.caption_text.clear();
+    for (const std::string& line : lines)
+        h.caption_text += (h.caption_text.empty() ? "" : "\n") + line;
+    h.caption.reset();
+    if (!lines.empty()) h.caption = draw_caption(lines, h.width_px(), h.picture.size_px[1]);
 }
 
 std::string MoviePainter::drawn_with() { return hidden_->renderers.at(0)->drawn_with(); }
@@ -128,6 +141,10 @@ PngTexts MoviePainter::texts(std::span<const Shown> shown) {
     if (shown.size() > 1)
         fingerprints.insert(fingerprints.end(), h.differences.begin(), h.differences.end());
     if (h.strip) fingerprints.push_back(h.strip_text);
+    if (h.caption) {
+        all[k_caption] = h.caption_text;
+        fingerprints.push_back(h.caption_text);
+    }
     all[k_fingerprint_key] = join_fingerprints(fingerprints);
     return all;
 }
@@ -144,7 +161,7 @@ Image MoviePainter::paint(std::span<const Shown> shown) {
         parts.push_back(h.renderers[k]->render(snapshot, shown[k].view));
         time_s.push_back(snapshot.time_s);
     }
-    if (parts.size() == 1 && !h.strip) return std::move(parts.front());
+    if (parts.size() == 1 && !h.strip && !h.caption) return std::move(parts.front());
     const auto [width, height] = size_px();
     Image image(width, height);
     for (std::size_t k = 0; k < parts.size(); ++k)
@@ -155,6 +172,7 @@ Image MoviePainter::paint(std::span<const Shown> shown) {
                 std::make_unique<PlotStripPainter>(*h.strip, width, h.picture.size_px[1]);
         paste(image, h.strip_painter->draw(time_s), 0, h.picture.size_px[1]);
     }
+    if (h.caption) paste(image, *h.caption, 0, height - h.caption->height);
     return image;
 }
 

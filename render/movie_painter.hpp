@@ -38,6 +38,9 @@ class MoviePainter {
                  const scene::Picture& picture, std::string drawn_by);
     ~MoviePainter();
 
+    /// Lines below the pictures from now on.
+    void set_caption(const std::vector<std::string>& lines);
+
     /// What one run shows.
     struct Shown {
         int frame = 0;
@@ -55,6 +58,8 @@ class MoviePainter {
     [[nodiscard]] std::string drawn_with();
 
     static constexpr const char* k_beside = "Beside: ";
+    /// Key of the caption among the texts of the picture's file, line by line.
+    static constexpr const char* k_caption = "Caption";
 
   private:
     struct Hidden;

@@ -311,6 +311,7 @@ Image Renderer::draw(const Snapshot& snapshot, const View& view) {
 
     Furniture furniture;
     furniture.title = h.header->title.empty() ? h.header->scene_name : h.header->title;
+    if (!view.heading.empty()) furniture.title = view.heading;
     furniture.difference = h.difference;
     furniture.layout = h.layout();
     set_status(furniture, snapshot, view.time_decimals);

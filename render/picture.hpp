@@ -32,6 +32,7 @@ struct View {
     double turned_deg = 0.0;  ///< besides: by the shots of a movie
     std::optional<bool> cutaway{};  ///< unset: the picture's
     int time_decimals = 1;
+    std::string heading{};  ///< instead of the run's title; "": the title
     Quality quality = Quality::full;
 };
 

@@ -62,6 +62,7 @@ std::string description_text(const scene::Picture& p, const View& view) {
     if (view.fit_radius_um) json["fit_radius"] = *view.fit_radius_um;
     if (view.range) json["shown_range"] = std::array{view.range->low, view.range->high};
     if (view.cutaway) json["shown_cutaway"] = *view.cutaway;
+    if (!view.heading.empty()) json["heading"] = view.heading;
     return json.dump();
 }
 
@@ -81,6 +82,7 @@ Description parse_description(const std::string& text) {
             view.range = Range{json["shown_range"].at(0).get<double>(),
                                json["shown_range"].at(1).get<double>()};
         if (json.contains("shown_cutaway")) view.cutaway = json["shown_cutaway"].get<bool>();
+        if (json.contains("heading")) view.heading = json["heading"].get<std::string>();
     } catch (const nlohmann::json::exception& error) {
         throw Error(std::string("the picture's description cannot be read: ") + error.what());
     }

@@ -6,6 +6,7 @@
 #include "engine/statistics/setup_numbers.hpp"
 #include "render/figures/figure.hpp"
 #include "render/plot.hpp"
+#include "render/verb_strip.hpp"
 #include "render/verbs.hpp"
 
 #include <fmt/format.h>
@@ -135,19 +136,41 @@ std::vector<std::string> write_figure(figures::Figure& figure, const std::string
     return files;
 }
 
+/// The figure that is made of pictures of one run: drawn where it is asked for by name.
+constexpr std::string_view k_strip = "fig1";
+
 std::vector<const figures::FigureRow*> wanted_figures(const std::vector<std::string>& names) {
     std::vector<const figures::FigureRow*> wanted;
-    std::string all;
+    std::string all(k_strip);
     for (const figures::FigureRow& row : figures::all_figures()) {
-        all += (all.empty() ? "" : ", ") + std::string(row.name);
+        all += ", " + std::string(row.name);
         if (names.empty() || std::find(names.begin(), names.end(), row.name) != names.end())
             wanted.push_back(&row);
     }
     for (const std::string& name : names)
-        if (std::none_of(wanted.begin(), wanted.end(),
-                         [&](const auto* row) { return row->name == name; }))
+        if (name != k_strip && std::none_of(wanted.begin(), wanted.end(),
+                                            [&](const auto* row) { return row->name == name; }))
             throw Error("there is no figure '" + name + "'", "figures are " + all);
     return wanted;
+}
+
+/// Fig. 1: the way of one run, the last frames of its stages beside each other. Returns its file.
+std::string draw_way_of_run(const std::string& file, const std::string& folder,
+                            const cli::Invocation& invocation) {
+    const RunFileReader reader(file);
+    std::set<std::string> stages;
+    for (int i = 0; i < reader.n_frames(); ++i) stages.insert(reader.frame(i)->stage_name);
+    std::string list;
+    for (const char* stage : {"anneal", "compact", "relax", "indent"})
+        if (stages.contains(stage)) list += (list.empty() ? "" : ",") + std::string(stage);
+    if (list.empty()) list = "0,-1";
+    scene::Picture picture = pictures_of(reader, {}).front();
+    picture.size_px = {900, 720};
+    picture.network = picture.stress_axes = false;
+    std::string path = fmt::format("{}/{}.png", folder, k_strip);
+    draw_strip(reader, picture, list, StripRange::without_wall, "Fig. 1: the way of one run", path,
+               invocation);
+    return path;
 }
 
 nlohmann::json json_of(const SetupStatistics& setup) {
@@ -225,6 +248,13 @@ ExitCode make_figures(const FiguresArguments& arguments, const cli::Invocation& 
                          {"missing", figure.missing}});
         files.insert(files.end(), of_figure.begin(), of_figure.end());
     }
+    if (std::find(arguments.only.begin(), arguments.only.end(), k_strip) != arguments.only.end()) {
+        files.push_back(draw_way_of_run(runs.measured.front().file, folder, invocation));
+        drawn.push_back({{"name", k_strip},
+                         {"title", "the way of one run: its stages as pictures"},
+                         {"files", {files.back()}},
+                         {"missing", nlohmann::json::array()}});
+    }
     const std::string numbers = folder + "/numbers.csv";
     cli::write_text_file(numbers, table_of(setups).csv_text(cli::report_comments(invocation, 0)));
     files.push_back(numbers);
@@ -261,8 +291,10 @@ cli::Verb figures_verb() {
                 const auto arguments = std::make_shared<FiguresArguments>();
                 command.optional_arguments("FILES", arguments->files,
                                            "HDF5 files of runs; seeds of one setup are pooled");
-                command.option("--only", arguments->only,
-                               "this figure only, fig2 ... fig7; may be given several times");
+                command.option(
+                    "--only", arguments->only,
+                    "this figure only, fig1 ... fig7; may be given several times. fig1 shows "
+                    "the first run and is drawn by name alone");
                 cli::add_common_options(
                     command, arguments->common,
                     {CommonOption::output_folder, CommonOption::json, CommonOption::quiet});

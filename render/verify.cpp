@@ -6,6 +6,7 @@
 #include "render/provenance.hpp"
 
 #include <charconv>
+#include <sstream>
 
 namespace spheroscope::render {
 
@@ -31,6 +32,13 @@ int number_of(const std::string& text, const std::string& key) {
     if (failed != std::errc{} || at != end || number < 0)
         throw Error("the picture's text '" + key + "' wants a number, got '" + text + "'");
     return number;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
 }
 
 }  // namespace
@@ -67,6 +75,8 @@ Verification verify_picture(const PngFile& file, std::span<FrameSource* const> r
         surveys.push_back(survey_frames(*runs[k], picture));
     }
     MoviePainter painter(runs, surveys, picture, drawn_by);
+    if (const auto caption = file.texts.find(MoviePainter::k_caption); caption != file.texts.end())
+        painter.set_caption(lines_of(caption->second));
     Verification result;
     result.frame = shown[0].frame;
     result.drawn = painter.paint(shown);

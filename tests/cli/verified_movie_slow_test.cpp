@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 namespace spheroscope {
 namespace {
@@ -87,6 +88,19 @@ TEST_F(VerifiedMovie, FramesBesideEachOtherAreOnePicture) {
     ASSERT_EQ(strip.code, 0) << strip.err;
     EXPECT_EQ(width_px(path("o/main_strip.png")), 3 * width_px(path("o/main_000020.png")));
     EXPECT_EQ(verify({"o/main_strip.png"}, 0)["max_difference"], 0);
+    // the picture's file has the command that has drawn it, below the pictures too, and the run's
+    std::ifstream in(path("o/main_strip.png"), std::ios::binary);
+    const std::string file{std::istreambuf_iterator<char>(in), {}};
+    const auto holds = [&](const std::string& words) {
+        return file.find(words) != std::string::npos;
+    };
+    const std::string command = " render o/run.h5 --frames anneal,20,-1 -o o";
+    const std::size_t named = file.find(command), again = file.find(command, named + 1);
+    ASSERT_NE(named, std::string::npos);
+    EXPECT_NE(again, std::string::npos);
+    for (const char* words :
+         {"Run command", "Caption", "; one range in all pictures", "\"heading\":\"a  seeding\""})
+        EXPECT_TRUE(holds(words)) << words;
     std::string many = "0";
     for (int i = 0; i < 200; ++i) many += ",0";
     const Outcome too_wide = call({"render", "o/run.h5", "--frames", many, "-o", "o"});

@@ -85,12 +85,19 @@ TEST_F(Verify, DrawsSeveralFramesOfOneRunAgain) {
     MoviePainter painter(runs, std::vector<Survey>(3, survey), plain, "test");
     std::vector<MoviePainter::Shown> shown(3);
     for (int k = 0; k < 3; ++k) shown[static_cast<std::size_t>(k)].frame = k + 1;
+    shown[1].view.heading = "b  relaxation";
+    painter.set_caption({"A line that is so long that it has no room in a row", "Made by: test"});
     PngFile file{painter.paint(shown), painter.texts(shown)};
     file.texts[k_drawn_with_key] = painter.drawn_with();
     ASSERT_EQ(n_shown(file.texts), 3);
     EXPECT_TRUE(verify_picture(file, runs, "test").reasons.empty());
     file.texts[std::string(MoviePainter::k_beside) + MoviePainter::k_beside + "Frame"] = "1";
     EXPECT_FALSE(verify_picture(file, runs, "test").reasons.empty()) << "the third one counts";
+    file.texts[std::string(MoviePainter::k_beside) + MoviePainter::k_beside + "Frame"] = "3";
+    ASSERT_TRUE(verify_picture(file, runs, "test").reasons.empty());
+    EXPECT_GT(file.image.height, plain.size_px[1] + 20) << "the caption stands below";
+    file.texts[MoviePainter::k_caption] += " and others";
+    EXPECT_FALSE(verify_picture(file, runs, "test").reasons.empty()) << "every word counts";
 }
 
 TEST_F(Verify, RefusesPicturesThatCannotBeDrawnAgain) {
