@@ -66,8 +66,8 @@ struct JudgedClaim {
 /// The same of all setups of a claim, each with its name where there are several.
 [[nodiscard]] std::string ends_text(const Claim& claim, const MeasuredSetups& measured);
 
-/// "seed 1 (rest), 3 (cap): nodes still move with ...": the runs that move faster than at rest; "" if
-/// none does.
+/// "seed 1 (rest), 3 (cap): nodes still move with ...": the runs that move faster than at rest; ""
+/// if none does.
 [[nodiscard]] std::string remark_on_motion(const MeasuredSetup& setup);
 
 /// All claims, in the table's order. `table` must outlive the result. Throws Error with the claim's

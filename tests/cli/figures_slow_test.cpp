@@ -132,7 +132,8 @@ TEST_F(Figures, CountFramesUnderTheBeadWithoutAForce) {
     write_file("loaded.toml",
                with(k_scene, "[measures]",
                     "[[stage]]\nkind = \"indent\"\nduration = \"1 s\"\nevery = \"0.25 s\"\n"
-                    "force = \"15 nN\"\nprobe_radius = \"27 um\"\n[measures]"));
+                    "force = \"15 nN\"\nprobe_radius = \"27 um\"\n[measures]") +
+                   "[[picture]]\nfield = \"sigma_h\"\n");
     const Outcome run = call({"run", "loaded.toml", "--threads", "1", "--quiet", "-o", "o"});
     ASSERT_EQ(run.code, 0) << run.err;
     {
@@ -149,6 +150,24 @@ TEST_F(Figures, CountFramesUnderTheBeadWithoutAForce) {
         << document["remarks"];
     EXPECT_NE(text_of("figures/force_displacement.csv").find("no points of 1 frame"),
               std::string::npos);
+}
+
+TEST_F(Figures, ShowTheStagesOfARunBesideEachOtherWhereTheyAreAskedTo) {
+    write_file("pictured.toml", std::string(k_scene) + "[[picture]]\nfield = \"sigma_h\"\n");
+    ASSERT_EQ(call({"run", "pictured.toml", "--threads", "1", "--quiet", "-o", "o"}).code, 0);
+    const Outcome drawn = call({"figures", "o/run.h5", "--only", "fig1", "-o", "figures"});
+    ASSERT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_EQ(names_in("figures"), (std::vector<std::string>{"fig1.png", "numbers.csv"}));
+    const std::string file = text_of("figures/fig1.png");
+    for (const char* words :
+         {"Fig. 1: the way of one run", "Thirteen cells (pictured.toml, seed 1): frames ",
+          "one range in all pictures, that of those without a wall",
+          " figures o/run.h5 --only fig1 -o figures", "\"heading\":\"b  relaxation\""})
+        EXPECT_NE(file.find(words), std::string::npos) << words;
+    const Outcome again = call({"movie", "--verify", "figures/fig1.png", "o/run.h5"});
+    EXPECT_EQ(again.code, 0) << again.out << again.err;
+    // a scene without pictures does not say which field
+    EXPECT_EQ(call({"figures", run("1", "2", "1").front(), "--only", "fig1"}).code, 2);
 }
 
 TEST_F(Figures, NameARunThatCannotServeAndAFigureThatCannotBeDrawn) {
