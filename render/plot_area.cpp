@@ -53,7 +53,10 @@ void include_bands(const reports::Plot::Panel& panel, AxisRange& range) {
     const bool is_broken = panel.y_axis.breaks_before_bands && !range.is_logarithmic &&
                            !panel.bands.empty() && range.low <= range.high && is_beside() &&
                            range.high - range.low < k_smallest_share * (whole.high - whole.low);
-    if (!is_broken) range = whole;
+    if (is_broken)
+        range.include(0.0);  // without it nobody sees how far the points are from none
+    else
+        range = whole;
     if (panel.y_axis.categories.empty() && !panel.map) range.widen();
     // not where the room around the points has reached them
     if (is_broken && is_beside()) range.break_off(of_bands.low, of_bands.high);

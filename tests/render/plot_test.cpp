@@ -386,6 +386,13 @@ TEST(Plot, BreaksItsAxisWhereABandIsFarFromAllPoints) {
         EXPECT_NE(text.find(word), std::string::npos) << word;
     EXPECT_EQ(text.find(">−300<"), std::string::npos);
 
+    // zero stays on the axis where all points are on one side of it
+    plot.panels[0].series[0].y = {-20.0, -12.0, -16.0};
+    draw_plot(plot, folder.path() / "plot.png", folder.path() / "plot.svg");
+    std::ifstream negative(folder.path() / "plot.svg");
+    EXPECT_NE(std::string(std::istreambuf_iterator<char>(negative), {}).find(">0<"),
+              std::string::npos);
+
     // a band near the points is to scale
     plot.panels[0].bands[0] = {-40.0, -40.0, "experiment"};
     const int near = rows_of_first_colour(plot, folder);
