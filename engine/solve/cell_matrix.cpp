@@ -80,7 +80,9 @@ CellMatrix::Places<N>::find(std::size_t element, const Nodes& nodes,
                             const NodeCouplings& couplings) {
     if (element >= entries_.size()) entries_.resize(element + 1);  // all nodes 0: no element's
     Entry& entry = entries_[element];
-    if (entry.nodes == nodes) return entry.places;
+    bool is_known = true;
+    for (std::size_t m = 0; m < N; ++m) is_known &= entry.nodes[m] == nodes[m];
+    if (is_known) return entry.places;
     entry.nodes = nodes;
     std::size_t pair = 0;
     for (std::size_t m = 0; m < N; ++m)
