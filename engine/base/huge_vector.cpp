@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t k_line = 64;
 constexpr std::size_t k_huge_page = std::size_t{1} << 21;
 /// Smaller arrays would waste most of their last page.
-constexpr std::size_t k_fewest_bytes = 2 * k_huge_page;
+constexpr std::size_t k_fewest_bytes = k_huge_page;
 
 }  // namespace
 

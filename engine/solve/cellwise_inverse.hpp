@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/huge_vector.hpp"
 #include "engine/solve/cortex_factor.hpp"
 #include "engine/solve/rigid_motions.hpp"
 #include "engine/solve/velocity_system.hpp"
@@ -34,8 +35,8 @@ template <class Vector> class CellwiseInverse {
 
   private:
     const Model* model_ = nullptr;
-    std::vector<Vector> inverse_times_gradient_;  // [all nodes] w = B S
-    std::vector<Scalar> denominator_;             // [cells] 1/coefficient + S.w; 0: no such part
+    HugeVector<Vector> inverse_times_gradient_;  // [all nodes] w = B S
+    std::vector<Scalar> denominator_;            // [cells] 1/coefficient + S.w; 0: no such part
 };
 
 /// Preconditions the conjugate gradients.
@@ -66,10 +67,10 @@ class BlockJacobi final : public CellwiseInverse<Lanes> {
   private:
     double stiff_;
     const Model* model_ = nullptr;
-    std::vector<std::array<Lanes, 3>> inverse_;  // [all nodes] columns
-    std::vector<double> trace_;                  // [cells] of the diagonal blocks
-    std::vector<Vec3> middle_um_;                // [cells]
-    std::vector<Mat3> resistance_;               // [cells], see RigidMotions::prepare
+    HugeVector<std::array<Lanes, 3>> inverse_;  // [all nodes] columns
+    std::vector<double> trace_;                 // [cells] of the diagonal blocks
+    std::vector<Vec3> middle_um_;               // [cells]
+    std::vector<Mat3> resistance_;              // [cells], see RigidMotions::prepare
     RigidMotions motions_;
 };
 

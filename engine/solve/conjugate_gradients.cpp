@@ -275,7 +275,7 @@ SolveOutcome ConjugateGradients::solve(const VelocitySystem& system,
                                        std::span<const Vec3> b, std::span<Vec3> x, double tolerance,
                                        int largest_iterations, Workers& workers) {
     exact_product_.resize(b.size());
-    for (std::vector<Lanes>* v :
+    for (HugeVector<Lanes>* v :
          {&correction_, &residual_, &direction_, &product_, &preconditioned_})
         v->resize(b.size());
     for (std::vector<double>* s : {&sum_bb_, &sum_rr_, &sum_rz_, &sum_pq_})

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/huge_vector.hpp"
 #include "engine/solve/cellwise_inverse.hpp"
 
 namespace spheroscope {
@@ -33,9 +34,9 @@ class ConjugateGradients {
 
   private:
     class Solve;
-    std::vector<Vec3> exact_product_;  // [all nodes]
-    std::vector<Lanes> correction_, residual_, direction_, product_, preconditioned_;  // likewise
-    std::vector<double> sum_bb_, sum_rr_, sum_rz_, sum_pq_;                            // [cells]
+    HugeVector<Vec3> exact_product_;                                                  // [all nodes]
+    HugeVector<Lanes> correction_, residual_, direction_, product_, preconditioned_;  // likewise
+    std::vector<double> sum_bb_, sum_rr_, sum_rz_, sum_pq_;                           // [cells]
     std::vector<double> sum_r_;  // [3 cells] force on each cell, for RigidMotions
     struct Translations {
         std::vector<double> of_cells, work;  // [3 cells]

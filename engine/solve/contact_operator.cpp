@@ -258,7 +258,7 @@ template <class Vector> void ContactOperator::product_of_group(int g, const Mode
 }
 
 template <class Vector> void ContactOperator::add_to_cell(int cell, std::span<Vector> out) const {
-    const std::vector<Vector>& left = ContactOperator::left<Vector>(*this);
+    const auto& left = ContactOperator::left<Vector>(*this);
     for (std::size_t slot = first_slot_[idx(cell)]; slot < first_slot_[idx(cell) + 1]; ++slot)
         out[slot_node_[slot]] += left[slot];
 }

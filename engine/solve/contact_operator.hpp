@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/block3.hpp"
+#include "engine/base/huge_vector.hpp"
 #include "engine/base/workers.hpp"
 #include "engine/contact/contacts.hpp"
 #include "engine/friction/contact_friction.hpp"
@@ -66,10 +67,10 @@ class ContactOperator {
     };
     /// The groups that a member builds, and later multiplies, one after the other.
     struct Arena {
-        std::vector<NodePair> pairs;
-        std::vector<SymmetricBlock3> normal;  // [pairs] rest of the friction, if it has a direction
-        std::vector<int> row_begin;           // of each group [n_a + 1], into its pairs
-        std::vector<std::uint16_t> nodes;     // of each group [n_a + n_b]: A's, then B's
+        HugeVector<NodePair> pairs;
+        HugeVector<SymmetricBlock3> normal;  // [pairs] rest of the friction, if it has a direction
+        std::vector<int> row_begin;          // of each group [n_a + 1], into its pairs
+        HugeVector<std::uint16_t> nodes;     // of each group [n_a + n_b]: A's, then B's
     };
     struct Group {
         int cell_a = 0, cell_b = 0;
@@ -103,12 +104,12 @@ class ContactOperator {
     std::optional<ContactFriction> friction_;
     double stiffness_kPa_s_per_um_ = 0.0;  // 0: the pairs have no `combined`
     std::vector<Group> groups_;
-    std::size_t n_groups_ = 0;              // in use
-    std::vector<Arena> arenas_;             // [members]
-    std::vector<std::size_t> first_slot_;   // [cells + 1]
-    std::vector<std::uint16_t> slot_node_;  // [slots] node of the cell
-    std::vector<Vec3> left_in_double_;
-    std::vector<Lanes> left_in_single_;
+    std::size_t n_groups_ = 0;             // in use
+    std::vector<Arena> arenas_;            // [members]
+    std::vector<std::size_t> first_slot_;  // [cells + 1]
+    HugeVector<std::uint16_t> slot_node_;  // [slots] node of the cell
+    HugeVector<Vec3> left_in_double_;
+    HugeVector<Lanes> left_in_single_;
 };
 
 }  // namespace spheroscope

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/huge_vector.hpp"
 #include "engine/base/workers.hpp"
 #include "engine/solve/sparse_cholesky.hpp"
 #include "engine/solve/velocity_system.hpp"
@@ -50,7 +51,7 @@ class RigidMotions {
 
     bool is_in_use_ = false;
     const Model* model_ = nullptr;
-    std::vector<Lanes> arm_um_;                     // [all nodes] r_i
+    HugeVector<Lanes> arm_um_;                      // [all nodes] r_i
     std::vector<std::array<Lanes, 3>> compliance_;  // [cells] inverse of a rotation's resistance
     std::vector<Mat3> of_pairs_;                    // [groups]
     SparseCholesky coupled_;
