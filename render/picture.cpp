@@ -1,6 +1,7 @@
 #include "render/picture.hpp"
 
 #include "engine/run/aggregate_shape.hpp"
+#include "engine/run/changes.hpp"
 #include "engine/run/exploded.hpp"
 #include "engine/run/principal_stress.hpp"
 #include "engine/scene/picture_size.hpp"
@@ -12,12 +13,14 @@
 #include "render/osmesa_context.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -71,6 +74,18 @@ std::vector<std::string> notes(const Snapshot& snapshot) {
         lines.push_back(fmt::format("way {:.2f} µm", totals.probe_way_um));
     }
     return lines;
+}
+
+/// "γ changed on the way": a run whose numbers are not those of its scene says so.
+std::string note_of_changes(const Snapshot& snapshot) {
+    std::vector<std::string_view> symbols;
+    if (snapshot.changes)
+        for (const Change& change : changes_of_motion(*snapshot.changes)) {
+            const std::string_view symbol = find_changeable(change.key)->symbol;
+            if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end())
+                symbols.push_back(symbol);
+        }
+    return symbols.empty() ? "" : fmt::format("{} changed on the way", fmt::join(symbols, ", "));
 }
 
 /// Cells that are pulled apart are no longer under the bead, which is then left out.
@@ -328,6 +343,8 @@ Image Renderer::draw(const Snapshot& snapshot, const View& view) {
     if (h.picture.exploded > 0.0)
         furniture.notes.insert(furniture.notes.begin(),
                                fmt::format("pulled apart by {:g}", h.picture.exploded));
+    if (std::string changes = note_of_changes(snapshot); !changes.empty())
+        furniture.notes.insert(furniture.notes.begin(), std::move(changes));
     furniture.range = h.choose_range(snapshot, view);
     furniture.range_is_of_this_frame =
         h.field != nullptr && !view.range && h.picture.range != "given";

@@ -1,6 +1,7 @@
 #include "render/provenance.hpp"
 
 #include "engine/base/error.hpp"
+#include "engine/run/changes.hpp"
 #include "engine/scene/picture_fields.hpp"
 
 #include <fmt/format.h>
@@ -43,6 +44,11 @@ class CheckSum {
     }
     std::uint64_t state_ = 0xCBF29CE484222325ULL;
 };
+
+/// What had been changed in the motion by then; empty: nothing.
+std::string changes_of(const Snapshot& snapshot) {
+    return snapshot.changes ? changes_text(changes_of_motion(*snapshot.changes)) : "";
+}
 
 std::string range_text(const scene::Picture& picture, const View& view) {
     if (view.range) return fmt::format("{:.17g} to {:.17g}", view.range->low, view.range->high);
@@ -111,6 +117,7 @@ std::string make_fingerprint(const Snapshot& snapshot, const scene::Picture& pic
                         header.n_cells, snapshot.frame, snapshot.time_s, snapshot.stage,
                         snapshot.stage_name, snapshot.stage_progress,
                         snapshot.totals.coordination_Z, snapshot.totals.contact_fraction));
+    if (const std::string changes = changes_of(snapshot); !changes.empty()) sum.add(changes);
     sum.add(snapshot.x_um);
     sum.add(snapshot.normal);
     sum.add(snapshot.centre_um);
@@ -145,6 +152,8 @@ PngTexts make_provenance(const Snapshot& snapshot, const scene::Picture& picture
     texts["Scene"] = header.resolved_scene;
     texts["Scene name"] = header.scene_name;
     texts["Seed"] = fmt::format("{}", header.seed);
+    if (std::string changes = changes_of(snapshot); !changes.empty())
+        texts[k_changes_key] = std::move(changes);
     texts["Frame"] = fmt::format("{}", snapshot.frame);
     texts["Time"] = fmt::format("{:.17g} s", snapshot.time_s);
     texts["Stage"] = snapshot.stage_name;

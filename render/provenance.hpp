@@ -14,6 +14,9 @@ inline constexpr const char* k_fingerprint_key = "Fingerprint";
 /// Key of the description from which the picture can be drawn again.
 inline constexpr const char* k_view_key = "View";
 
+/// Key of what had been changed during the run by then (changes_text), if anything had.
+inline constexpr const char* k_changes_key = "Changes";
+
 /// What a picture is drawn with besides the frame.
 struct Description {
     scene::Picture picture;

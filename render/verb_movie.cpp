@@ -9,6 +9,7 @@
 #include "render/movie.hpp"
 #include "render/movie_painter.hpp"
 #include "render/png.hpp"
+#include "render/provenance.hpp"
 #include "render/verb_pictures.hpp"
 #include "render/verbs.hpp"
 #include "render/verify.hpp"
@@ -162,6 +163,26 @@ bool is_strip_of_one_run(const render::PngTexts& texts, int n_shown) {
     return true;
 }
 
+/// Simulates a picture's scene anew, with what was changed on the way to it.
+cli::SimulationSummary simulate_scene_of(const render::PngTexts& texts, const cli::RunPlace& place,
+                                         const MovieArguments& arguments,
+                                         const cli::Invocation& invocation) {
+    if (!texts.contains("Scene"))
+        throw Error(arguments.verify + ": the picture does not carry its scene",
+                    "pictures of movie and render do, unless another program has saved them anew");
+    cli::log_info("no run beside the picture: its own scene is simulated anew");
+    const auto name = texts.find("Scene name");
+    const scene::Scene scene =
+        scene::parse_scene(texts.at("Scene"), name == texts.end() ? "scene" : name->second);
+    std::vector<Change> changes;
+    if (const auto text = texts.find(render::k_changes_key); text != texts.end())
+        changes = parse_changes(text->second, arguments.verify);
+    const cli::SimulationSummary summary =
+        cli::simulate(scene, place, arguments.common, false, invocation, changes);
+    if (!summary.result.message.empty()) cli::log_error(summary.result.message);
+    return summary;
+}
+
 /// Draws a picture again from what its file says, of a run that is there or is simulated anew.
 ExitCode verify(const MovieArguments& arguments, const cli::Invocation& invocation) {
     const render::PngFile file = render::read_png(arguments.verify);
@@ -177,19 +198,10 @@ ExitCode verify(const MovieArguments& arguments, const cli::Invocation& invocati
         arguments.input.empty() ? run_of_picture(arguments.verify) : arguments.input;
     std::optional<ScratchFolder> scratch;
     if (run_file.empty()) {
-        if (!file.texts.contains("Scene"))
-            throw Error(arguments.verify + ": the picture does not carry its scene",
-                        "pictures of movie and render do, unless another program has saved them "
-                        "anew");
         scratch.emplace();
         const cli::RunPlace place{scratch->path().string()};
-        cli::log_info("no run beside the picture: its own scene is simulated anew");
-        const auto name = file.texts.find("Scene name");
-        const scene::Scene scene = scene::parse_scene(
-            file.texts.at("Scene"), name == file.texts.end() ? "scene" : name->second);
         const cli::SimulationSummary summary =
-            cli::simulate(scene, place, arguments.common, false, invocation);
-        if (!summary.result.message.empty()) cli::log_error(summary.result.message);
+            simulate_scene_of(file.texts, place, arguments, invocation);
         if (summary.code == ExitCode::interrupted || summary.code == ExitCode::terminated)
             return summary.code;
         run_file = place.run_file();

@@ -108,6 +108,13 @@ void apply_change(Scene& scene, const Change& change) {
     scene = std::move(changed);
 }
 
+std::vector<Change> changes_of_motion(std::span<const Change> changes) {
+    std::vector<Change> result;
+    for (const Change& change : changes)
+        if (find_changeable(change.key)->of == ChangeableRow::Of::engine) result.push_back(change);
+    return result;
+}
+
 std::string changes_text(std::span<const Change> changes) {
     std::string text;
     // fmt writes the shortest text that gives back exactly this number

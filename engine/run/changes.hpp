@@ -38,6 +38,9 @@ struct ChangeableRow {
 /// value that a scene may not have either, for the same reason (engine/scene/limits.hpp).
 void apply_change(scene::Scene& scene, const Change& change);
 
+/// Those that the motion depends on; changes of pictures are left out.
+[[nodiscard]] std::vector<Change> changes_of_motion(std::span<const Change> changes);
+
 /// One line for each change, "12.5 cortex.tension.gamma 0.6": what a run's file holds.
 [[nodiscard]] std::string changes_text(std::span<const Change> changes);
 /// Gives back exactly what changes_text was given. Throws Error naming `name` and the line.

@@ -63,6 +63,32 @@ TEST_F(VerifiedMovie, OfAnotherRunIsRefused) {
     EXPECT_NE(refused.err.find("not of this run"), std::string::npos) << refused.err;
 }
 
+TEST_F(VerifiedMovie, OfARunThatWasChangedSaysSoAndIsSimulatedWithItsChanges) {
+    // as the panel writes it; then the run itself, with its change
+    const Outcome change =
+        shell("/usr/bin/python3 -c 'import h5py' 2>/dev/null || exit 77; cp -r o c; "
+              "/usr/bin/python3 -c '"
+              "import h5py, numpy\n"
+              "file = h5py.File(\"c/run.h5\", \"r+\")\n"
+              "file.create_dataset(\"changes\", "
+              "data=numpy.bytes_(\"0.5 contact.adhesion.omega 0.45\\n\"))'");
+    if (change.code == 77) GTEST_SKIP() << "no h5py";
+    ASSERT_EQ(change.code, 0) << change.err;
+    const Outcome changed = call({"run", "c/run.h5", "-o", "changed", "--quiet"});
+    ASSERT_EQ(changed.code, 0) << changed.out << changed.err;
+    ASSERT_EQ(call({"render", "changed/run.h5", "-o", "alone"}).code, 0);
+    ASSERT_EQ(names_in("alone").size(), 1U);
+    const std::string picture = "alone/" + names_in("alone").front();
+    const Outcome texts = shell("strings -n 8 " + picture);
+    EXPECT_NE(texts.out.find("contact.adhesion.omega 0.45"), std::string::npos) << texts.out;
+    EXPECT_EQ(verify({picture}, 0)["max_difference"], 0) << "simulated anew";
+    EXPECT_EQ(verify({picture, "changed/run.h5"}, 0)["max_difference"], 0);
+    const Outcome refused = call({"movie", "--verify", picture, "o/run.h5"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("something else was changed on its way"), std::string::npos)
+        << refused.err;
+}
+
 TEST_F(VerifiedMovie, OfTwoRunsSideBySideIsVerifiedWithBoth) {
     ASSERT_EQ(call({"run", "scene.toml", "-o", "p", "--quiet", "--seed", "4"}).code, 0);
     ASSERT_EQ(call({"movie", "o/run.h5", "--compare", "p/run.h5", "-o", "o", "--quiet"}).code, 0);
