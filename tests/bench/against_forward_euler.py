@@ -42,6 +42,7 @@ ROWS = [
     forward_euler("30 ms"),
     forward_euler("45 ms"),
     implicit("6 nm", 0.5, "0.5 s"),
+    implicit("10 nm", 0.5, "0.5 s"),
     implicit("20 nm", 0.5, "1 s"),
     implicit("60 nm", 1, "2 s", "2e-3"),
     implicit("6 nm", 0.5, "2 s"),
