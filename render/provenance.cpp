@@ -45,11 +45,6 @@ class CheckSum {
     std::uint64_t state_ = 0xCBF29CE484222325ULL;
 };
 
-/// What had been changed in the motion by then; empty: nothing.
-std::string changes_of(const Snapshot& snapshot) {
-    return snapshot.changes ? changes_text(changes_of_motion(*snapshot.changes)) : "";
-}
-
 std::string range_text(const scene::Picture& picture, const View& view) {
     if (view.range) return fmt::format("{:.17g} to {:.17g}", view.range->low, view.range->high);
     if (picture.range == "given")
@@ -58,6 +53,10 @@ std::string range_text(const scene::Picture& picture, const View& view) {
 }
 
 }  // namespace
+
+std::string changes_until(const Snapshot& snapshot) {
+    return snapshot.changes ? changes_text(changes_of_motion(*snapshot.changes)) : "";
+}
 
 std::string description_text(const scene::Picture& p, const View& view) {
     nlohmann::json json{{"name", p.name},
@@ -117,7 +116,7 @@ std::string make_fingerprint(const Snapshot& snapshot, const scene::Picture& pic
                         header.n_cells, snapshot.frame, snapshot.time_s, snapshot.stage,
                         snapshot.stage_name, snapshot.stage_progress,
                         snapshot.totals.coordination_Z, snapshot.totals.contact_fraction));
-    if (const std::string changes = changes_of(snapshot); !changes.empty()) sum.add(changes);
+    if (const std::string changes = changes_until(snapshot); !changes.empty()) sum.add(changes);
     sum.add(snapshot.x_um);
     sum.add(snapshot.normal);
     sum.add(snapshot.centre_um);
@@ -152,7 +151,7 @@ PngTexts make_provenance(const Snapshot& snapshot, const scene::Picture& picture
     texts["Scene"] = header.resolved_scene;
     texts["Scene name"] = header.scene_name;
     texts["Seed"] = fmt::format("{}", header.seed);
-    if (std::string changes = changes_of(snapshot); !changes.empty())
+    if (std::string changes = changes_until(snapshot); !changes.empty())
         texts[k_changes_key] = std::move(changes);
     texts["Frame"] = fmt::format("{}", snapshot.frame);
     texts["Time"] = fmt::format("{:.17g} s", snapshot.time_s);

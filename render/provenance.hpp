@@ -17,6 +17,9 @@ inline constexpr const char* k_view_key = "View";
 /// Key of what had been changed during the run by then (changes_text), if anything had.
 inline constexpr const char* k_changes_key = "Changes";
 
+/// That text for a frame; empty: nothing had been changed in the motion.
+[[nodiscard]] std::string changes_until(const Snapshot& snapshot);
+
 /// What a picture is drawn with besides the frame.
 struct Description {
     scene::Picture picture;

@@ -71,10 +71,8 @@ Verification verify_picture(const PngFile& file, std::span<FrameSource* const> r
             if (text_of(file.texts, prefix + key) != got)
                 throw Error("the picture is not of this run: its " + key + " is another one",
                             "without a run's file, the picture's own scene is simulated anew");
-        const PngTexts own = make_provenance(*runs[k]->frame(frame), picture, View{}, drawn_by);
-        const auto told = file.texts.find(prefix + k_changes_key), made = own.find(k_changes_key);
-        if ((told == file.texts.end() ? "" : told->second) !=
-            (made == own.end() ? "" : made->second))
+        const auto told = file.texts.find(prefix + k_changes_key);
+        if ((told == file.texts.end() ? "" : told->second) != changes_until(*runs[k]->frame(frame)))
             throw Error("the picture is not of this run: something else was changed on its way",
                         "without a run's file, the picture's own scene is simulated anew");
         shown.push_back({frame, parse_description(text_of(file.texts, prefix + k_view_key)).view});

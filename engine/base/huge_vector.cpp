@@ -33,6 +33,6 @@ void* allocate(std::size_t n_bytes) {
     return memory;
 }
 
-void release(void* memory, std::size_t) noexcept { std::free(memory); }
+void release(void* memory) noexcept { std::free(memory); }
 
 }  // namespace spheroscope::huge_memory

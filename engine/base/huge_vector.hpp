@@ -12,7 +12,7 @@ namespace spheroscope {
 namespace huge_memory {
 /// Throws std::bad_alloc. Begins at a cache line.
 [[nodiscard]] void* allocate(std::size_t n_bytes);
-void release(void* memory, std::size_t n_bytes) noexcept;
+void release(void* memory) noexcept;
 }  // namespace huge_memory
 
 template <class T> struct HugeAllocator {
@@ -25,9 +25,7 @@ template <class T> struct HugeAllocator {
     [[nodiscard]] T* allocate(std::size_t n) {
         return static_cast<T*>(huge_memory::allocate(n * sizeof(T)));
     }
-    void deallocate(T* memory, std::size_t n) noexcept {
-        huge_memory::release(memory, n * sizeof(T));
-    }
+    void deallocate(T* memory, std::size_t) noexcept { huge_memory::release(memory); }
     template <class U> bool operator==(const HugeAllocator<U>&) const { return true; }
 };
 

@@ -58,7 +58,7 @@ std::string missing_text(const std::vector<MeasureError>& errors, double wall_s)
     };
     if (has_time_steps && none_has(&MeasureError::time))
         add("time", "a run of steps half as long", k_time_error_costs);
-    if (none_has(&MeasureError::mesh)) add("mesh", "a run on a coarser mesh", k_mesh_error_costs);
+    if (none_has(&MeasureError::mesh)) add("mesh", "runs on coarser meshes", k_mesh_error_costs);
     return text;
 }
 

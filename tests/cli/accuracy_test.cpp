@@ -141,7 +141,7 @@ TEST_F(Accuracy, WithoutSecondRunsThereIsNoErrorAndTheSummarySaysWhatOneWouldTak
     const std::string block = block_of_errors(outcome.out);
     for (const char* name : {"time", "mesh"})
         EXPECT_NE(block.find(fmt::format("  {0} error not measured: measures.{0}_error = true "
-                                         "measures it, with a run ",
+                                         "measures it, with ",
                                          name)),
                   std::string::npos)
             << block;

@@ -63,6 +63,9 @@ class ProgramRunner : public testing::Test {
     }
     /// Names in a folder of the test, sorted; empty if it is not there.
     [[nodiscard]] std::vector<std::string> names_in(const std::string& name) const;
+    /// Writes what was changed during a run into its file, as the panel does: "0.5 KEY VALUE".
+    /// False where there is no h5py.
+    [[nodiscard]] bool record_change(const std::string& run_file, const std::string& change) const;
 
   private:
     [[nodiscard]] pid_t start(const std::vector<std::string>& arguments, Program program) const;
