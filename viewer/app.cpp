@@ -7,13 +7,12 @@
 #include "engine/run/exploded.hpp"
 #include "render/png.hpp"
 #include "render/provenance.hpp"
+#include "viewer/engine_commands.hpp"
+#include "viewer/layout.hpp"
 #include "viewer/live_run.hpp"
 #include "viewer/opened_sheet.hpp"
 #include "viewer/painter.hpp"
-#include "viewer/panels/panel.hpp"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <imgui.h>
@@ -41,31 +40,6 @@ constexpr double k_turning_draw_s = 0.1;
 /// The survey goes on in another thread; copies of it are made this often.
 constexpr double k_survey_every_s = 0.2;
 
-constexpr float k_right_px = 372.0F, k_below_px = 232.0F, k_message_px = 64.0F;
-
-std::optional<Key> key_of(int glfw_key) {
-    switch (glfw_key) {
-    case GLFW_KEY_SPACE: return Key::space;
-    case GLFW_KEY_LEFT: return Key::left;
-    case GLFW_KEY_RIGHT: return Key::right;
-    case GLFW_KEY_HOME: return Key::home;
-    case GLFW_KEY_END: return Key::end;
-    case GLFW_KEY_PERIOD: return Key::period;
-    case GLFW_KEY_B: return Key::b;
-    case GLFW_KEY_C: return Key::c;
-    case GLFW_KEY_F: return Key::f;
-    case GLFW_KEY_I: return Key::i;
-    case GLFW_KEY_N: return Key::n;
-    case GLFW_KEY_O: return Key::o;
-    case GLFW_KEY_P: return Key::p;
-    case GLFW_KEY_Q: return Key::q;
-    case GLFW_KEY_T: return Key::t;
-    case GLFW_KEY_Y: return Key::y;
-    case GLFW_KEY_Z: return Key::z;
-    default: return {};
-    }
-}
-
 class App {
   public:
     App(Window& window, Frames& frames, Painter& painter, PanelModel& model, LiveRun* live,
@@ -82,8 +56,6 @@ class App {
   private:
     void take_input();
     void act(Action action);
-    /// Whether the action was one for the engine.
-    [[nodiscard]] bool command_engine(Action action);
     void take_engines_news();
     /// A range of colours that was given by hand is a change that belongs to the run.
     void record_range();
@@ -177,54 +149,12 @@ AppReport App::run() {
 
 void App::take_input() {
     for (const KeyPress& press : window_.take_keys())
-        if (const std::optional<Key> key = key_of(press.key))
-            if (const auto action = PanelModel::action_of(*key, press.shift, press.control))
-                act(*action);
-}
-
-bool App::command_engine(Action action) {
-    if (live_ == nullptr || live_->is_over()) {
-        const bool is_for_engine = action == Action::single_step || action == Action::until_event ||
-                                   action == Action::look_into_step;
-        if (is_for_engine)
-            model_.message = live_ == nullptr ? "a stored run has no engine that could make a step"
-                                              : "the run is over";
-        return is_for_engine;
-    }
-    LiveChannel& channel = live_->channel();
-    switch (action) {
-    case Action::toggle_playing:
-        if (!model_.shows_engine()) return false;  // frames are played
-        channel.is_paused() ? channel.play() : channel.pause();
-        model_.follow_engine();
-        return true;
-    case Action::single_step:
-        channel.step();
-        model_.follow_engine();
-        return true;
-    case Action::until_event: {
-        Watched watched;
-        if (model_.selection) watched = {model_.selection->cell, model_.selection->other_cell};
-        channel.run_until_event(watched);
-        model_.follow_engine();
-        return true;
-    }
-    case Action::look_into_step: {
-        std::optional<NodeOfCell> node;
-        if (model_.selection) node = {model_.selection->cell, model_.selection->node};
-        channel.look_into_step(node);
-        model_.follow_engine();
-        return true;
-    }
-    case Action::back:
-        if (model_.shows_engine()) channel.pause();  // what is looked back at would move on
-        return false;
-    default: return false;
-    }
+        if (const auto action = PanelModel::action_of(press.key, press.shift, press.control))
+            act(*action);
 }
 
 void App::act(Action action) {
-    if (command_engine(action)) return;
+    if (command_engine(model_, live_, action)) return;
     const std::optional<Action> left = model_.act(action);
     if (!left) return;
     const auto copy = [&](const std::string& text, const std::string& what) {
@@ -495,41 +425,7 @@ void App::draw_panels() {
                        sheet_.contact_history(),
                        window_.picture_texture(),
                        window_.small_font()};
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.0F, 0.0F});
-    ImGui::SetNextWindowSize(size);
-    ImGui::Begin("panel", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float left = room.x - k_right_px - 8.0F, above = room.y - k_below_px - 8.0F;
-    ImGui::BeginChild("picture side", {std::max(1.0F, left), std::max(1.0F, above)}, true,
-                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    draw_picture(panel, left - 24.0F, above - 20.0F);
-    ImGui::EndChild();
-    ImGui::SameLine();
-    ImGui::BeginGroup();
-    ImGui::BeginChild("right", {0.0F, std::max(1.0F, above - k_message_px - 6.0F)}, true);
-    for (const PanelRow& row : all_panels()) {
-        if (row.side != Side::right || (row.needs_engine && live_ == nullptr)) continue;
-        if (row.opens_for(model_)) ImGui::SetNextItemOpen(true);
-        const ImGuiTreeNodeFlags flags =
-            row.opened ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
-        if (ImGui::CollapsingHeader(std::string(row.title).c_str(), flags)) row.draw(panel);
-    }
-    ImGui::EndChild();
-    ImGui::BeginChild("message", {0.0F, k_message_px}, true);
-    ImGui::PushFont(window_.small_font());
-    if (!status_.empty()) ImGui::TextWrapped("%s", status_.c_str());
-    if (!model_.message.empty()) ImGui::TextWrapped("%s", model_.message.c_str());
-    ImGui::PopFont();
-    ImGui::EndChild();
-    ImGui::EndGroup();
-    ImGui::BeginChild("below", {0.0F, 0.0F}, true, ImGuiWindowFlags_NoScrollbar);
-    for (const PanelRow& row : all_panels())
-        if (row.side == Side::below) row.draw(panel);
-    ImGui::EndChild();
-    ImGui::End();
+    draw_layout(panel);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 namespace spheroscope::viewer {
@@ -107,6 +108,29 @@ void set_style() {
     style.Colors[ImGuiCol_Border] = {0.80F, 0.81F, 0.83F, 1.0F};
 }
 
+std::optional<Key> key_of(int glfw_key) {
+    switch (glfw_key) {
+    case GLFW_KEY_SPACE: return Key::space;
+    case GLFW_KEY_LEFT: return Key::left;
+    case GLFW_KEY_RIGHT: return Key::right;
+    case GLFW_KEY_HOME: return Key::home;
+    case GLFW_KEY_END: return Key::end;
+    case GLFW_KEY_PERIOD: return Key::period;
+    case GLFW_KEY_B: return Key::b;
+    case GLFW_KEY_C: return Key::c;
+    case GLFW_KEY_F: return Key::f;
+    case GLFW_KEY_I: return Key::i;
+    case GLFW_KEY_N: return Key::n;
+    case GLFW_KEY_O: return Key::o;
+    case GLFW_KEY_P: return Key::p;
+    case GLFW_KEY_Q: return Key::q;
+    case GLFW_KEY_T: return Key::t;
+    case GLFW_KEY_Y: return Key::y;
+    case GLFW_KEY_Z: return Key::z;
+    default: return {};
+    }
+}
+
 /// Threads that have news may be there before the window is, and after it.
 std::mutex g_open_mutex;
 bool g_is_open = false;
@@ -144,10 +168,11 @@ Window::Window(const std::string& title, int width_px, int height_px)
     // Before ImGui, which calls it in turn. Events and not states: a key that went down and up
     // between two frames counts.
     glfwSetKeyCallback(h.window.get(), [](GLFWwindow* window, int key, int, int action, int mods) {
-        if (action != GLFW_RELEASE)
+        const std::optional<Key> known = key_of(key);
+        if (action != GLFW_RELEASE && known)
             static_cast<Hidden*>(glfwGetWindowUserPointer(window))
                 ->keys.push_back(
-                    {key, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
+                    {*known, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
     });
     if (!std::filesystem::exists(SPHEROSCOPE_FONT))  // ImGui would abort
         throw Error("the font file " SPHEROSCOPE_FONT " cannot be read",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/image.hpp"
+#include "viewer/model/panel_model.hpp"
 
 #include <memory>
 #include <string>
@@ -10,9 +11,9 @@ struct ImFont;
 
 namespace spheroscope::viewer {
 
-/// A key that went down (or repeats while it is held). GLFW's numbers.
+/// A key of the table of keys that went down (or repeats while it is held).
 struct KeyPress {
-    int key;
+    Key key;
     bool shift, control;
 };
 
