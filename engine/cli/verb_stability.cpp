@@ -121,6 +121,56 @@ std::string notes_of(const std::vector<reports::StabilityRow>& rows) {
                               counted(rows.size(), "expectation"), rows.size() - n_run);
 }
 
+/// "NOT MET ..." with a line's end, or "" for a ladder whose estimate is good.
+std::string complaint_about(const reports::StepLadder& ladder) {
+    const double ratio = ladder.estimate_over_stable();
+    if (!std::isfinite(ratio))
+        return fmt::format(
+            "NOT MET  {} {}: there is no {} to compare with\n", ladder.scene, ladder.method->name,
+            std::isfinite(ladder.largest_stable_s) ? "estimate of the largest step"
+                                                   : "step that holds and is the largest");
+    if (reports::is_estimate_good(ladder)) return "";
+    return fmt::format("NOT MET  {} {}: the estimate is {:.3g} of the largest step that holds, not "
+                       "in [{:g}, {:g}]\n",
+                       ladder.scene, ladder.method->name, ratio,
+                       reports::k_least_estimate_over_stable, reports::k_most_estimate_over_stable);
+}
+
+reports::ReportTable table_of(const std::vector<reports::StepLadder>& ladders) {
+    reports::ReportTable table;
+    table.columns = {{"scene"},      {"method"},     {"stable_s"},
+                     {"unstable_s"}, {"estimate_s"}, {"estimate_over_stable"},
+                     {"met"},        {"trials"},     {"why"}};
+    for (const reports::StepLadder& ladder : ladders) {
+        std::string why;  // the last step that blew up
+        for (const reports::StepTrial& trial : ladder.trials)
+            if (!trial.is_stable) why = trial.why;
+        table.rows.push_back({ladder.scene, std::string(ladder.method->name),
+                              ladder.largest_stable_s, ladder.smallest_unstable_s,
+                              ladder.estimate_s, ladder.estimate_over_stable(),
+                              reports::is_estimate_good(ladder),
+                              static_cast<std::int64_t>(ladder.trials.size()), why});
+    }
+    return table;
+}
+
+nlohmann::json json_of(const reports::StepLadder& ladder, const std::string& file) {
+    nlohmann::json trials = nlohmann::json::array();
+    for (const reports::StepTrial& trial : ladder.trials)
+        trials.push_back({{"dt_s", trial.dt_s},
+                          {"stable", trial.is_stable},
+                          {"speed_ratio", number_or_null(trial.speed_ratio)},
+                          {"why", trial.why}});
+    return {{"scene", file},
+            {"method", ladder.method->name},
+            {"largest_stable_s", number_or_null(ladder.largest_stable_s)},
+            {"smallest_unstable_s", number_or_null(ladder.smallest_unstable_s)},
+            {"estimate_s", number_or_null(ladder.estimate_s)},
+            {"estimate_over_stable", number_or_null(ladder.estimate_over_stable())},
+            {"met", reports::is_estimate_good(ladder)},
+            {"trials", trials}};
+}
+
 /// The steps at which explicit methods blow up, beside the program's own estimates.
 ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& draw,
                const Invocation& invocation) {
@@ -131,10 +181,6 @@ ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& dra
     reports::StepLadderOptions options;
     options.threads = arguments.common.n_threads();
     options.stop = &interrupts.stop();
-    reports::ReportTable table;
-    table.columns = {{"scene"},      {"method"},     {"stable_s"},
-                     {"unstable_s"}, {"estimate_s"}, {"estimate_over_stable"},
-                     {"met"},        {"trials"},     {"why"}};
     nlohmann::json ladders = nlohmann::json::array();
     std::vector<reports::StepLadder> climbed;
     std::string not_met, interrupted;
@@ -148,46 +194,14 @@ ExitCode climb(const StabilityArguments& arguments, const reports::DrawPlot& dra
                                            ladder.method->name);
                 continue;
             }
-            const double ratio = ladder.estimate_over_stable();
-            const bool is_met = reports::is_estimate_good(ladder);
-            if (!std::isfinite(ratio))
-                not_met += fmt::format("NOT MET  {} {}: there is no {} to compare with\n",
-                                       ladder.scene, ladder.method->name,
-                                       std::isfinite(ladder.largest_stable_s)
-                                           ? "estimate of the largest step"
-                                           : "step that holds and is the largest");
-            else if (!is_met)
-                not_met += fmt::format(
-                    "NOT MET  {} {}: the estimate is {:.3g} of the largest step that "
-                    "holds, not in [{:g}, {:g}]\n",
-                    ladder.scene, ladder.method->name, ratio, reports::k_least_estimate_over_stable,
-                    reports::k_most_estimate_over_stable);
-            std::string why;
-            nlohmann::json trials = nlohmann::json::array();
-            for (const reports::StepTrial& trial : ladder.trials) {
-                if (!trial.is_stable) why = trial.why;
-                trials.push_back({{"dt_s", trial.dt_s},
-                                  {"stable", trial.is_stable},
-                                  {"speed_ratio", number_or_null(trial.speed_ratio)},
-                                  {"why", trial.why}});
-            }
-            table.rows.push_back({ladder.scene, std::string(ladder.method->name),
-                                  ladder.largest_stable_s, ladder.smallest_unstable_s,
-                                  ladder.estimate_s, ratio, is_met,
-                                  static_cast<std::int64_t>(ladder.trials.size()), why});
-            ladders.push_back({{"scene", file},
-                               {"method", ladder.method->name},
-                               {"largest_stable_s", number_or_null(ladder.largest_stable_s)},
-                               {"smallest_unstable_s", number_or_null(ladder.smallest_unstable_s)},
-                               {"estimate_s", number_or_null(ladder.estimate_s)},
-                               {"estimate_over_stable", number_or_null(ratio)},
-                               {"met", is_met},
-                               {"trials", trials}});
+            not_met += complaint_about(ladder);
+            ladders.push_back(json_of(ladder, file));
             climbed.push_back(ladder);
         }
         if (interrupts.stop().load()) break;
     }
     progress.clear();
+    const reports::ReportTable table = table_of(climbed);
     const std::string path = report_folder(arguments.common, "out/stability") + "/steps";
     write_text_file(path + ".csv",
                     table.csv_text(report_comments(invocation, arguments.common.n_threads())));

@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace spheroscope {
 namespace {
@@ -105,102 +107,137 @@ struct OtherSurface {
     }
 };
 
+/// The nearest points of a list of samples, by sample; a member of the pool has one.
+class NearestPoints {
+  public:
+    void clear(std::size_t n_samples, std::size_t n_listed) {
+        listed_.resize(n_listed);
+        place_.assign(n_samples, -1);
+    }
+    void set(std::size_t s, int sample, const Nearest& nearest) {
+        listed_[s] = nearest;
+        place_[idx(sample)] = static_cast<int>(s);
+    }
+    [[nodiscard]] const Nearest& operator[](int sample) const {
+        static const Nearest none;
+        return place_[idx(sample)] < 0 ? none : listed_[idx(place_[idx(sample)])];
+    }
+
+  private:
+    std::vector<Nearest> listed_;
+    std::vector<int> place_;  // of a sample in `listed_`, or -1
+};
+
+/// The law over one triangle, in shares of its area.
+struct TriangleIntegral {
+    std::vector<double> pressure_kPa, share;  ///< [samples of the triangle]
+    double energy_fJ_per_um2 = 0.0;
+    bool touches = false;
+
+    void compute(const SurfaceSamples& surface, std::span<const int> samples,
+                 const NearestPoints& nearest, const ContactLaw& law);
+};
+
+void TriangleIntegral::compute(const SurfaceSamples& surface, std::span<const int> samples,
+                               const NearestPoints& nearest, const ContactLaw& law) {
+    pressure_kPa.assign(samples.size(), 0.0);
+    share.assign(samples.size(), 0.0);
+    energy_fJ_per_um2 = 0.0;
+    touches = false;
+    const double area_of_part = 1.0 / static_cast<double>(surface.parts.size());
+    for (const auto& part : surface.parts) {
+        std::array<double, 3> overlap_um{};
+        bool part_touches = false, is_near = true, is_shallow = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Nearest& corner = nearest[samples[idx(part[c])]];
+            overlap_um[c] = corner.overlap_um;
+            is_near = is_near && corner.triangle >= 0;
+            is_shallow = is_shallow && overlap_um[c] <= law.largest_overlap_um;
+            part_touches = part_touches || (corner.triangle >= 0 && overlap_um[c] > 0.0);
+        }
+        if (!part_touches || !is_shallow) continue;
+        SPHEROSCOPE_ASSERT(is_near, "the lists reach as far as the parts of a contact");
+        const OverlapIntegral integral = integrate_overlap(overlap_um, law);
+        energy_fJ_per_um2 += area_of_part * integral.energy_fJ_per_um2;
+        touches = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+            pressure_kPa[idx(part[c])] += area_of_part * integral.pressure_kPa[c];
+            share[idx(part[c])] += area_of_part * integral.share[c];
+        }
+    }
+}
+
+/// Adds the pairs of a triangle with those of the other cell that its samples see.
+void add_pairs(int triangle, bool is_a, double half_area_um2, const TriangleIntegral& integral,
+               const SurfaceSamples& surface, const NearestPoints& nearest,
+               std::vector<ContactPair>& pairs) {
+    const std::span<const int> samples = surface.samples_of(triangle);
+    const std::size_t first = pairs.size();
+    thread_local std::vector<char> on_face;  // of the pairs from `first` on
+    on_face.clear();
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+        const double area_um2 = half_area_um2 * integral.share[s];
+        if (area_um2 <= 0.0) continue;
+        const Nearest& at = nearest[samples[s]];
+        // Samples over one face have the same normal: they are one pair.
+        std::size_t pair = first;
+        while (pair < pairs.size() &&
+               !(at.on_face && on_face[pair - first] != 0 &&
+                 (is_a ? pairs[pair].triangle_b : pairs[pair].triangle_a) == at.triangle))
+            ++pair;
+        if (pair == pairs.size()) {
+            pairs.push_back(is_a ? empty_pair(triangle, at.triangle, at.away)
+                                 : empty_pair(at.triangle, triangle, -at.away));
+            on_face.push_back(at.on_face ? 1 : 0);
+        }
+        const auto& own_weight = surface.local_weights[s];
+        add_sample(pairs[pair], area_um2, half_area_um2 * integral.pressure_kPa[s],
+                   is_a ? own_weight : at.weight, is_a ? at.weight : own_weight, at.overlap_um);
+    }
+    for (std::size_t pair = first; pair < pairs.size(); ++pair) finish(pairs[pair]);
+}
+
 }  // namespace
 
 void VariationalSearch::evaluate(const View& view, const Side& side, bool is_a,
                                  Group& group) const {
     const Model& model = view.model;
     const Geometry& geometry = view.geometry;
-    const MeshTopology& mesh = *model.topology;
     const OtherSurface other{
-        mesh,
+        *model.topology,
         view.other_um,
         model.cell_triangles(std::span<const Vec3>(geometry.normal), view.other),
         model.cell_triangles(std::span<const Vec3>(geometry.centroid_um), view.other),
         model.cell_nodes(std::span<const Vec3>(geometry.volume_gradient_um2), view.other),
         model.cell_triangles(std::span<const double>(geometry.reach_um), view.other)};
-    const auto own_area =
-        model.cell_triangles(std::span<const double>(geometry.area_um2), view.own);
 
-    static const Nearest none;
-    thread_local std::vector<Nearest> nearest;  // of the listed samples
-    thread_local std::vector<int> place;        // of a sample in `nearest`, or -1
-    nearest.resize(side.samples.size());
-    place.assign(samples_.samples.size(), -1);
-    const auto nearest_of = [](int sample) -> const Nearest& {
-        return place[idx(sample)] < 0 ? none : nearest[idx(place[idx(sample)])];
-    };
+    thread_local NearestPoints nearest;
+    nearest.clear(samples_.samples.size(), side.samples.size());
     for (std::size_t s = 0; s < side.samples.size(); ++s) {
-        const int sample = side.samples[s];
-        const auto& [nodes, weight] = samples_.samples[idx(sample)];
+        const auto& [nodes, weight] = samples_.samples[idx(side.samples[s])];
         const Vec3 p = weight[0] * view.own_um[idx(nodes[0])] +
                        weight[1] * view.own_um[idx(nodes[1])] +
                        weight[2] * view.own_um[idx(nodes[2])];
         const auto begin = idx(side.first[s]), end = idx(side.first[s + 1]);
-        nearest[s] = other.nearest(p, std::span(side.candidates).subspan(begin, end - begin), law_);
-        place[idx(sample)] = static_cast<int>(s);
-        if (nearest[s].overlap_um > law_.largest_overlap_um) ++group.too_deep;
+        const Nearest found =
+            other.nearest(p, std::span(side.candidates).subspan(begin, end - begin), law_);
+        nearest.set(s, side.samples[s], found);
+        if (found.overlap_um > law_.largest_overlap_um) ++group.too_deep;
     }
     group.candidates += static_cast<std::int64_t>(side.candidates.size());
 
-    std::vector<ContactPair>& pairs = group.found.pairs;
+    const auto own_area =
+        model.cell_triangles(std::span<const double>(geometry.area_um2), view.own);
     std::vector<ContactFilm>& films = is_a ? group.found.films_a : group.found.films_b;
-    const double area_of_part = 1.0 / static_cast<double>(samples_.parts.size());
-    thread_local std::vector<double> pressure_of_sample, share_of_sample;
+    thread_local TriangleIntegral integral;
     for (const int triangle : side.triangles) {
-        const std::span<const int> samples = samples_.samples_of(triangle);
-        pressure_of_sample.assign(samples.size(), 0.0);
-        share_of_sample.assign(samples.size(), 0.0);
-        double energy_fJ_per_um2 = 0.0;
-        bool touches = false;
-        for (const auto& part : samples_.parts) {
-            std::array<double, 3> overlap_um{};
-            bool part_touches = false, is_near = true, is_shallow = true;
-            for (std::size_t c = 0; c < 3; ++c) {
-                const Nearest& corner = nearest_of(samples[idx(part[c])]);
-                overlap_um[c] = corner.overlap_um;
-                is_near = is_near && corner.triangle >= 0;
-                is_shallow = is_shallow && overlap_um[c] <= law_.largest_overlap_um;
-                part_touches = part_touches || (corner.triangle >= 0 && overlap_um[c] > 0.0);
-            }
-            if (!part_touches || !is_shallow) continue;
-            SPHEROSCOPE_ASSERT(is_near, "the lists reach as far as the parts of a contact");
-            const OverlapIntegral integral = integrate_overlap(overlap_um, law_);
-            energy_fJ_per_um2 += area_of_part * integral.energy_fJ_per_um2;
-            touches = true;
-            for (std::size_t c = 0; c < 3; ++c) {
-                pressure_of_sample[idx(part[c])] += area_of_part * integral.pressure_kPa[c];
-                share_of_sample[idx(part[c])] += area_of_part * integral.share[c];
-            }
-        }
-        if (!touches) continue;
+        integral.compute(samples_, samples_.samples_of(triangle), nearest, law_);
+        if (!integral.touches) continue;
         // Both cells' sides count by half.
         const double half_area_um2 = 0.5 * own_area[idx(triangle)];
-        films.push_back({triangle, 0.5 * energy_fJ_per_um2, half_area_um2 * energy_fJ_per_um2});
-
-        const std::size_t first = pairs.size();
-        thread_local std::vector<char> on_face;  // of the pairs from `first` on
-        on_face.clear();
-        for (std::size_t s = 0; s < samples.size(); ++s) {
-            const double area_um2 = half_area_um2 * share_of_sample[s];
-            if (area_um2 <= 0.0) continue;
-            const Nearest& at = nearest_of(samples[s]);
-            // Samples over one face have the same normal: they are one pair.
-            std::size_t pair = first;
-            while (pair < pairs.size() &&
-                   !(at.on_face && on_face[pair - first] != 0 &&
-                     (is_a ? pairs[pair].triangle_b : pairs[pair].triangle_a) == at.triangle))
-                ++pair;
-            if (pair == pairs.size()) {
-                pairs.push_back(is_a ? empty_pair(triangle, at.triangle, at.away)
-                                     : empty_pair(at.triangle, triangle, -at.away));
-                on_face.push_back(at.on_face ? 1 : 0);
-            }
-            const auto& own_weight = samples_.local_weights[s];
-            add_sample(pairs[pair], area_um2, half_area_um2 * pressure_of_sample[s],
-                       is_a ? own_weight : at.weight, is_a ? at.weight : own_weight, at.overlap_um);
-        }
-        for (std::size_t pair = first; pair < pairs.size(); ++pair) finish(pairs[pair]);
+        films.push_back({triangle, 0.5 * integral.energy_fJ_per_um2,
+                         half_area_um2 * integral.energy_fJ_per_um2});
+        add_pairs(triangle, is_a, half_area_um2, integral, samples_, nearest, group.found.pairs);
     }
 }
 

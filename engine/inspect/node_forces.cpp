@@ -61,11 +61,7 @@ Vec3 contact_friction_nN(const Configuration& at, const ContactFriction& frictio
     return sum;
 }
 
-}  // namespace
-
-NodeForces forces_on_node(FrameSystem& frame, int cell, int node) {
-    System& system = frame.system();
-    const Model& model = system.model();
+void check_is_there(const Model& model, int cell, int node) {
     if (cell < 0 || cell >= model.n_cells())
         throw Error("there is no cell " + std::to_string(cell),
                     "the run has " + counted(model.n_cells(), "cell") + ", counted from 0");
@@ -73,54 +69,68 @@ NodeForces forces_on_node(FrameSystem& frame, int cell, int node) {
         throw Error("there is no node " + std::to_string(node),
                     "a cell has " + std::to_string(model.n_nodes()) + " nodes in this frame, " +
                         "counted from 0");
-    const Configuration at = system.configuration();
-    const auto of_node = [&](std::span<const Vec3> all) {
-        return all[idx(cell) * idx(model.n_nodes()) + idx(node)];
-    };
-    const std::vector<Vec3> v = solved_velocities_um_per_s(frame);
+}
 
-    NodeForces result;
-    result.cell = cell;
-    result.node = node;
-    result.x_um = of_node(at.x_um);
-    result.v_um_per_s = of_node(v);
-    const SystemParts& parts = system.parts();
+void add_terms(FrameSystem& frame, const Configuration& at, int cell, int node,
+               std::vector<NodeForce>& rows) {
+    const Model& model = frame.system().model();
+    const SystemParts& parts = frame.system().parts();
     for (const auto& term : parts.terms) {
         if (term.get() == parts.wall && at.wall_radius_um <= 0.0) continue;
         if (term->name().starts_with("contact")) {
-            add_contacts(frame, at, cell, node, result.terms);
+            add_contacts(frame, at, cell, node, rows);
             continue;
         }
         std::vector<Vec3> F(idx(model.n_nodes()), Vec3::Zero());
         term->add_force(at, cell, F);
-        result.terms.push_back({std::string(term->name()), F[idx(node)]});
+        rows.push_back({std::string(term->name()), F[idx(node)]});
     }
-    const auto add_friction = [&](const char* name, const Vec3& force_nN) {
-        result.frictions.push_back({name, force_nN});
-    };
-    const Frictions& frictions = parts.frictions;
-    add_friction(
-        "friction: medium",
-        -of_node(v) *
-            node_drags(model, frictions.eta_f_kPa_s)[idx(cell) * idx(model.n_nodes()) + idx(node)]);
+}
+
+/// v: velocities of all nodes, um/s.
+void add_frictions(FrameSystem& frame, const Configuration& at, std::span<const Vec3> v, int cell,
+                   int node, std::vector<NodeForce>& rows) {
+    System& system = frame.system();
+    const Model& model = system.model();
+    const Frictions& frictions = system.parts().frictions;
+    const std::size_t place = idx(cell) * idx(model.n_nodes()) + idx(node);
+    rows.push_back(
+        {"friction: medium", -v[place] * node_drags(model, frictions.eta_f_kPa_s)[place]});
+    const std::span<const Vec3> of_cell = model.cell_nodes(v, cell);
     if (frictions.edge_nN_s_per_um > 0.0) {
         std::vector<Vec3> out(idx(model.n_nodes()), Vec3::Zero());
-        add_cortex_friction(*model.topology, frictions.edge_nN_s_per_um,
-                            model.cell_nodes(std::span<const Vec3>(v), cell), out);
-        add_friction("friction: cortex", -out[idx(node)]);
+        add_cortex_friction(*model.topology, frictions.edge_nN_s_per_um, of_cell, out);
+        rows.push_back({"friction: cortex", -out[idx(node)]});
     }
     if (const auto coefficient = system.volume_friction(); !coefficient.empty()) {
         const auto S =
             model.cell_nodes(std::span<const Vec3>(at.geometry.volume_gradient_um2), cell);
-        const auto of_cell = model.cell_nodes(std::span<const Vec3>(v), cell);
         double rate_um3_per_s = 0.0;
         for (std::size_t i = 0; i < S.size(); ++i) rate_um3_per_s += S[i].dot(of_cell[i]);
-        add_friction("volume controller, derivative part",
-                     -coefficient[idx(cell)] * rate_um3_per_s * S[idx(node)]);
+        rows.push_back({"volume controller, derivative part",
+                        -coefficient[idx(cell)] * rate_um3_per_s * S[idx(node)]});
     }
     if (frictions.contact)
-        add_friction("friction: contacts",
-                     contact_friction_nN(at, *frictions.contact, v, cell, node));
+        rows.push_back(
+            {"friction: contacts", contact_friction_nN(at, *frictions.contact, v, cell, node)});
+}
+
+}  // namespace
+
+NodeForces forces_on_node(FrameSystem& frame, int cell, int node) {
+    const Model& model = frame.system().model();
+    check_is_there(model, cell, node);
+    const Configuration at = frame.system().configuration();
+    const std::vector<Vec3> v = solved_velocities_um_per_s(frame);
+    const std::size_t place = idx(cell) * idx(model.n_nodes()) + idx(node);
+
+    NodeForces result;
+    result.cell = cell;
+    result.node = node;
+    result.x_um = at.x_um[place];
+    result.v_um_per_s = v[place];
+    add_terms(frame, at, cell, node, result.terms);
+    add_frictions(frame, at, v, cell, node, result.frictions);
     for (const NodeForce& row : result.terms) {
         result.drive_nN += row.force_nN;
         result.scale_nN += row.force_nN.norm();

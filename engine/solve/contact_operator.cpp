@@ -29,16 +29,6 @@ Sums square_of(const Vec3& n) {
     return nn;
 }
 
-/// Memory of a member that builds one group after another.
-struct Scratch {
-    std::vector<int> local_a, local_b;            // node of the cell -> place among those, or -1
-    std::vector<std::uint16_t> nodes_a, nodes_b;  // that take part
-    std::vector<std::array<std::uint16_t, 6>> corners;  // [pairs of triangles], B's from 0
-    std::vector<std::uint64_t> marks;       // [nodes_a] rows of bits, one for each of B's
-    std::vector<int> entry;                 // [nodes_a x nodes_b]: pair of nodes
-    std::vector<Sums> friction, stiffness;  // [pairs of nodes]
-};
-
 std::uint16_t local_index(int node, std::vector<int>& map, std::vector<std::uint16_t>& nodes) {
     int& position = map[idx(node)];
     if (position < 0) {
@@ -49,6 +39,16 @@ std::uint16_t local_index(int node, std::vector<int>& map, std::vector<std::uint
 }
 
 }  // namespace
+
+/// Memory of a member that builds one group after another.
+struct ContactOperator::Scratch {
+    std::vector<int> local_a, local_b;            // node of the cell -> place among those, or -1
+    std::vector<std::uint16_t> nodes_a, nodes_b;  // that take part
+    std::vector<std::array<std::uint16_t, 6>> corners;  // [pairs of triangles], B's from 0
+    std::vector<std::uint64_t> marks;       // [nodes_a] rows of bits, one for each of B's
+    std::vector<int> entry;                 // [nodes_a x nodes_b]: pair of nodes
+    std::vector<Sums> friction, stiffness;  // [pairs of nodes]
+};
 
 void ContactOperator::build(const Model& model, const Contacts& contacts,
                             const std::optional<ContactFriction>& friction,
@@ -110,12 +110,20 @@ ContactOperator::View ContactOperator::view(const Group& group) const {
 void ContactOperator::build_group(const Model& model, const Contacts::Group& source, Group& group,
                                   Arena& arena) const {
     thread_local Scratch scratch;
-    const MeshTopology& mesh = *model.topology;
     const std::span<const ContactPair> pairs = Contacts::pairs_of(source);
-
-    // Which nodes take part.
     group.cell_a = source.cell_a;
     group.cell_b = source.cell_b;
+    group.first_pair = arena.pairs.size();
+    group.first_row = arena.row_begin.size();
+    group.first_node = arena.nodes.size();
+    number_nodes(*model.topology, pairs, group, arena, scratch);
+    connect_nodes(group, arena, scratch);
+    add_up(pairs, group, arena, scratch);
+    write_blocks(group, arena, scratch);
+}
+
+void ContactOperator::number_nodes(const MeshTopology& mesh, std::span<const ContactPair> pairs,
+                                   Group& group, Arena& arena, Scratch& scratch) {
     scratch.nodes_a.clear();
     scratch.nodes_b.clear();
     scratch.local_a.assign(idx(mesh.n_nodes()), -1);
@@ -128,18 +136,16 @@ void ContactOperator::build_group(const Model& model, const Contacts::Group& sou
             scratch.corners[p][3 + i] = local_index(mesh.triangles[idx(pairs[p].triangle_b)][i],
                                                     scratch.local_b, scratch.nodes_b);
         }
-    const std::size_t n_a = scratch.nodes_a.size(), n_b = scratch.nodes_b.size();
-    group.n_a = n_a;
-    group.n_b = n_b;
-    group.first_pair = arena.pairs.size();
-    group.first_row = arena.row_begin.size();
-    group.first_node = arena.nodes.size();
+    group.n_a = scratch.nodes_a.size();
+    group.n_b = scratch.nodes_b.size();
     arena.nodes.insert(arena.nodes.end(), scratch.nodes_a.begin(), scratch.nodes_a.end());
     arena.nodes.insert(arena.nodes.end(), scratch.nodes_b.begin(), scratch.nodes_b.end());
+}
 
-    // Which of them are connected: a bit for each, then row by row the numbers of the pairs. Only
-    // what has a number is read from `entry`.
-    const std::size_t n_words = n_b / 64 + 1;
+void ContactOperator::connect_nodes(const Group& group, Arena& arena, Scratch& scratch) {
+    // A bit for each pair of nodes, then row by row the numbers of the pairs. Only what has a
+    // number is read from `entry`.
+    const std::size_t n_a = group.n_a, n_b = group.n_b, n_words = n_b / 64 + 1;
     scratch.marks.assign(n_a * n_words, 0);
     for (const auto& c : scratch.corners)
         for (std::size_t i = 0; i < 3; ++i)
@@ -160,11 +166,12 @@ void ContactOperator::build_group(const Model& model, const Contacts::Group& sou
             }
     }
     arena.row_begin.push_back(n_pairs_so_far());
-    const std::size_t n_entries = arena.pairs.size() - group.first_pair;
+}
 
-    const double tangential = friction_ ? friction_->tangential_kPa_s_per_um : 0.0;
-    const double rest = friction_ ? friction_->normal_kPa_s_per_um - tangential : 0.0;
-    const bool is_stiff = stiffness_kPa_s_per_um_ > 0.0;
+void ContactOperator::add_up(std::span<const ContactPair> pairs, const Group& group,
+                             const Arena& arena, Scratch& scratch) const {
+    const std::size_t n_entries = arena.pairs.size() - group.first_pair;
+    const bool has_normal = normal_rest() != 0.0, is_stiff = stiffness_kPa_s_per_um_ > 0.0;
     scratch.friction.assign(n_entries, Sums{});
     scratch.stiffness.assign(is_stiff ? n_entries : 0, Sums{});
     for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -172,7 +179,7 @@ void ContactOperator::build_group(const Model& model, const Contacts::Group& sou
         const Sums nn = square_of(pair.normal);
         const auto area = static_cast<float>(pair.area_um2);
         for (std::size_t i = 0; i < 3; ++i) {
-            const int* const row = scratch.entry.data() + scratch.corners[p][i] * n_b;
+            const int* const row = scratch.entry.data() + scratch.corners[p][i] * group.n_b;
             const auto lambda = static_cast<float>(pair.lambda[i]);
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto mu = static_cast<float>(pair.mu[k]);
@@ -180,7 +187,7 @@ void ContactOperator::build_group(const Model& model, const Contacts::Group& sou
                 Sums& friction = scratch.friction[entry];
                 const float weight = area * (lambda + mu) / 6.0F;
                 friction.b += Lanes::Register{0.0F, 0.0F, weight, 0.0F};
-                if (rest != 0.0) {
+                if (has_normal) {
                     friction.a += weight * nn.a;
                     friction.b += weight * nn.b;
                 }
@@ -193,22 +200,26 @@ void ContactOperator::build_group(const Model& model, const Contacts::Group& sou
             }
         }
     }
+}
 
-    for (std::size_t e = 0; e < n_entries; ++e) {
+void ContactOperator::write_blocks(const Group& group, Arena& arena, const Scratch& scratch) const {
+    const auto tangential = static_cast<float>(tangential_friction());
+    const auto rest = static_cast<float>(normal_rest());
+    for (std::size_t e = 0; e < scratch.friction.size(); ++e) {
         NodePair& pair = arena.pairs[group.first_pair + e];
-        pair.friction = static_cast<float>(tangential) * scratch.friction[e].weight();
+        pair.friction = tangential * scratch.friction[e].weight();
         SymmetricBlock3 normal{};
-        if (rest != 0.0) {
+        if (rest != 0.0F) {
             normal.entry = scratch.friction[e].square();
-            for (float& entry : normal.entry) entry *= static_cast<float>(rest);
+            for (float& entry : normal.entry) entry *= rest;
             arena.normal.push_back(normal);
         }
-        if (!is_stiff) continue;
+        if (!(stiffness_kPa_s_per_um_ > 0.0)) continue;
         std::array<float, 6>& combined = pair.combined.entry;
         combined = scratch.stiffness[e].square();
         for (std::size_t m = 0; m < 6; ++m) {
             combined[m] *= static_cast<float>(stiffness_kPa_s_per_um_);
-            if (rest != 0.0) combined[m] += normal.entry[m];
+            if (rest != 0.0F) combined[m] += normal.entry[m];
             if (m < 3) combined[m] += pair.friction;
         }
     }

@@ -88,8 +88,24 @@ class ContactOperator {
         const std::uint16_t* nodes_a;
         const std::uint16_t* nodes_b;
     };
+    struct Scratch;
     void build_group(const Model& model, const Contacts::Group& source, Group& group,
                      Arena& arena) const;
+    // Its steps: which nodes take part, which of them are connected, sums over the pairs of
+    // triangles, and what products need of them.
+    static void number_nodes(const MeshTopology& mesh, std::span<const ContactPair> pairs,
+                             Group& group, Arena& arena, Scratch& scratch);
+    static void connect_nodes(const Group& group, Arena& arena, Scratch& scratch);
+    void add_up(std::span<const ContactPair> pairs, const Group& group, const Arena& arena,
+                Scratch& scratch) const;
+    void write_blocks(const Group& group, Arena& arena, const Scratch& scratch) const;
+    [[nodiscard]] double tangential_friction() const {
+        return friction_ ? friction_->tangential_kPa_s_per_um : 0.0;
+    }
+    /// What the friction has more along the normal.
+    [[nodiscard]] double normal_rest() const {
+        return friction_ ? friction_->normal_kPa_s_per_um - tangential_friction() : 0.0;
+    }
     /// Gives every cell a slot for each node of each of its groups.
     void lay_out_slots(const Contacts& contacts, int n_cells);
     [[nodiscard]] View view(const Group& group) const;
