@@ -78,6 +78,8 @@ Setup setup_of(const RunHeader& header, std::span<const Change> changes) {
         scene.cortex.tension ? scene.cortex.tension->gamma_nN_per_um : k_undefined;
     setup.thickness_um = scene.cortex.thickness_um;
     setup.E_kPa = scene.cortex.elastic ? scene.cortex.elastic->E_kPa : k_undefined;
+    if (scene.cortex.regularisation)
+        setup.limiter_nN_per_um = scene.cortex.regularisation->kappa_nN_per_um;
     setup.gamma_over_omega = setup.gamma_nN_per_um / setup.omega_nN_per_um;
     setup.Et_over_omega = setup.E_kPa * scene.cortex.thickness_um / setup.omega_nN_per_um;
     if (scene.contact) {

@@ -17,6 +17,7 @@ struct Setup {
     double gamma_over_omega = 0.0, Et_over_omega = 0.0;  ///< NaN without adhesion, or cortex
     double omega_nN_per_um = 0.0, E_kPa = 0.0;           ///< NaN likewise
     double W_nN_per_um = 0.0, gamma_nN_per_um = 0.0, thickness_um = 0.0;
+    double limiter_nN_per_um = 0.0;  ///< kappa of the strain limiter; 0: it is off
     int n_cells = 0, n_nodes = 0;
     std::string law;            ///< "traction"
     std::string omega_reading;  ///< "text"

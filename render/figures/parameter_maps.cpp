@@ -86,6 +86,27 @@ std::vector<Grid> grids_of(Setups setups) {
     return drawn;
 }
 
+/// Below this share of its cell's mean a triangle counts as collapsed, as in [expect] of the
+/// paper's scenes.
+constexpr double k_collapsed = 0.3;
+
+int collapsed_seeds(const SetupStatistics& setup) {
+    return static_cast<int>(std::count_if(
+        setup.runs.begin(), setup.runs.end(), [](const statistics::RunStatistics& run) {
+            return run.totals.smallest_triangle < k_collapsed || run.totals.n_flipped_triangles > 0;
+        }));
+}
+
+/// What a reader has to know of one point: outside of the paper's ranges, shaped by the strain
+/// limiter, with collapsed triangles.
+std::string marks_of(Setups setups, const SetupStatistics* setup, double gamma, double Et) {
+    std::string marks;
+    if (!setups.front().setup().is_in_table_2(gamma, Et)) marks += "†";
+    if (setup != nullptr && setup->setup().limiter_nN_per_um > 0.0) marks += "‡";
+    if (setup != nullptr && collapsed_seeds(*setup) > 0) marks += "×";
+    return marks;
+}
+
 /// The mean, down to the first digit of its error; three digits without one.
 std::string text_of(const statistics::Estimate& e) {
     if (!(e.standard_error > 0.0)) return fmt::format("{:.3g}", e.mean);
@@ -102,8 +123,8 @@ reports::Plot::Map map_of(Figure& figure, Setups setups, const Grid& grid, const
         map.y_labels.push_back(statistics::ratio_text(gamma));
         for (const double Et : grid.Et_over_omega) {
             reports::Plot::Map::Value value{std::numeric_limits<double>::quiet_NaN(), "", ""};
-            const bool is_in_table = setups.front().setup().is_in_table_2(gamma, Et);
-            if (const SetupStatistics* setup = find(setups, gamma, Et)) {
+            const SetupStatistics* const setup = find(setups, gamma, Et);
+            if (setup != nullptr) {
                 const statistics::Estimate e = estimate_of(*setup, quantity);
                 value.value = e.mean;
                 value.text = text_of(e);
@@ -116,7 +137,9 @@ reports::Plot::Map map_of(Figure& figure, Setups setups, const Grid& grid, const
                     figure.missing.push_back(fmt::format("panel {}, {}: {} is undefined", panel,
                                                          setup->label, quantity.total));
             }
-            if (!is_in_table) value.mark += value.mark.empty() ? "†" : " †";
+            const std::string marks = marks_of(setups, setup, gamma, Et);
+            if (!value.mark.empty() && !marks.empty()) value.mark += " ";
+            value.mark += marks;
             map.values.push_back(std::move(value));
         }
     }
@@ -183,6 +206,10 @@ Figure parameter_maps(Setups setups) {
         const bool is_on_one = std::any_of(grids.begin(), grids.end(),
                                            [&](const Grid& grid) { return is_on(grid, s); });
         if (!is_on_one) figure.missing.push_back(setup.label + ": not a point of the drawn grids");
+        if (const int n = collapsed_seeds(setup); is_on_one && n > 0)
+            figure.missing.push_back(
+                fmt::format("{}: in {} of {} a triangle is flipped, or below {} of its cell's mean",
+                            setup.label, n, counted(setup.runs.size(), "seed"), k_collapsed));
     }
     // Grids side by side, or the measures of a single one.
     figure.plot.columns = static_cast<int>(grids.size() > 1 ? grids.size() : k_quantities.size());
@@ -207,7 +234,9 @@ Figure parameter_maps(Setups setups) {
                         grid.gamma_over_omega.size() * grid.Et_over_omega.size()));
     finish(figure, setups, "Fig. 7: over γ/ω and Et/ω");
     figure.plot.caption.push_back(fmt::format(
-        "± standard error over seeds. † outside of the ranges of Table 2. {}",
+        "± standard error over seeds. † outside of the ranges of Table 2. ‡ with the strain "
+        "limiter. "
+        "× with collapsed triangles. {}",
         grids.size() > 1 ? "One colour range for both maps of a measure."
                          : "Colours range over the values of this picture's maps alone."));
     return figure;

@@ -289,6 +289,9 @@ TEST(ParameterMaps, ShowMissingPointsAndThoseOutsideOfTable2OnOneRange) {
         for (const double Et : {0.125, 0.5}) runs.push_back(made_up_run(gamma, Et, 1));
     runs.push_back(made_up_run(8, 0.125, 1));  // E = 0.039 kPa
     runs.push_back(made_up_run(0.75, 0.25, 1));
+    runs[0].setup.limiter_nN_per_um = 0.1;
+    runs[1].totals.n_flipped_triangles = 1;
+    runs[3].totals.smallest_triangle = 0.29;
     const auto setups = group_by_setup(runs);
     const Figure figure = parameter_maps(setups);
     ASSERT_EQ(figure.plot.panels.size(), 6U) << "three measures on two grids";
@@ -302,7 +305,11 @@ TEST(ParameterMaps, ShowMissingPointsAndThoseOutsideOfTable2OnOneRange) {
     const auto& corner = broad.values[4 * 6];
     EXPECT_FALSE(std::isnan(corner.value));
     EXPECT_NE(corner.mark.find("†"), std::string::npos);
-    EXPECT_EQ(broad.values[0].mark, "");
+    EXPECT_EQ(broad.values[0].mark, "‡") << "the strain limiter is on";
+    EXPECT_EQ(broad.values[1].mark, "×") << "a flipped triangle";
+    EXPECT_EQ(broad.values[6].mark, "");
+    EXPECT_EQ(broad.values[7].mark, "×") << "a collapsed triangle";
+    EXPECT_TRUE(is_said(figure, "in 1 of 1 seed a triangle is flipped, or below 0.3"));
     EXPECT_TRUE(is_said(figure, "broad grid: 5 of 30 points have runs"));
 }
 

@@ -33,6 +33,7 @@ statistics::RunStatistics made_up_run(double gamma_over_omega, double Et_over_om
     run.totals.eps_YL_omega = 0.5 + 0.1 * gamma_over_omega + step;
     run.totals.eps_YL_W = 0.1 * gamma_over_omega + step;
     run.totals.coordination_Z = 12.0;
+    run.totals.smallest_triangle = 0.6;
     for (int i = 0; i < 2400; ++i) {
         const double r = (i + 0.5) / 2000.0;
         run.sigma_h_nearest_kPa.push_back({r, r - 0.6 + step});
