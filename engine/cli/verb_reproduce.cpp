@@ -51,6 +51,13 @@ Extent extent_of(const ReproduceArguments& arguments) {
     return {arguments.quick, !arguments.stored};
 }
 
+/// A misspelt folder would be made, and filled with a report without data.
+void check_is_there(const std::string& folder) {
+    if (!std::filesystem::is_directory(folder))
+        throw Error(folder + ": --stored wants a folder with runs, this one does not exist",
+                    "--full makes the runs; -o names their folder, --keep one with stored numbers");
+}
+
 std::string run_folder(const std::string& folder, const ClaimedSetup& setup, std::uint64_t seed) {
     return fmt::format("{}/{}/seed={}", folder, setup.name, seed);
 }
@@ -281,7 +288,11 @@ ExitCode reproduce(const ReproduceArguments& arguments, const Invocation& invoca
     // A mistake in a scene is found before hours of runs.
     for (const ClaimedSetup& setup : table.setups)
         if (setup.beads == 0) static_cast<void>(scene_of(table, setup, setup.seeds.front()));
-    const std::string folder = report_folder(arguments.common, "out/reproduce");
+    constexpr auto k_standard_folder = "out/reproduce";
+    if (arguments.stored && arguments.keep.empty())
+        check_is_there(arguments.common.output.empty() ? k_standard_folder
+                                                       : arguments.common.output);
+    const std::string folder = report_folder(arguments.common, k_standard_folder);
 
     MeasuredSetups measured;
     for (const ClaimedSetup& setup : table.setups)

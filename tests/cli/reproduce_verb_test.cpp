@@ -246,6 +246,14 @@ TEST_F(Reproduce, RefusesARunOfAnotherScene) {
     EXPECT_EQ(verdict(outcome, 0), "no data");
 }
 
+TEST_F(Reproduce, DoesNotMakeTheFolderOfStoredRuns) {
+    const Outcome outcome = reproduce("--stored");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("--stored wants a folder with runs"), std::string::npos)
+        << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
 TEST_F(Reproduce, WantsToKnowHowMuch) {
     EXPECT_EQ(call({"reproduce", "small.claims"}).code, 2);
     EXPECT_EQ(call({"reproduce", "small.claims", "--quick", "--full"}).code, 2);
