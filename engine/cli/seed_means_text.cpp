@@ -5,6 +5,7 @@
 #include "engine/statistics/seed_mean.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -48,6 +49,21 @@ nlohmann::json seed_means_json(std::span<const Totals> seeds) {
             {"seeds", estimate.n}};
     }
     return object;
+}
+
+std::vector<std::string> remarks_on_resolution(std::span<const std::uint64_t> seeds,
+                                               std::span<const std::vector<MeasureError>> errors) {
+    std::vector<std::string> remarks;
+    for (const TotalsRow& row : all_totals()) {
+        std::vector<std::uint64_t> unresolved;
+        for (std::size_t i = 0; i < seeds.size(); ++i)
+            if (!is_resolved(row, errors[i])) unresolved.push_back(seeds[i]);
+        if (!unresolved.empty())
+            remarks.push_back(fmt::format(
+                "{} is not resolved in seed {}: its error there is larger than its value", row.name,
+                fmt::join(unresolved, ", ")));
+    }
+    return remarks;
 }
 
 std::string with_error(double mean, double standard_error) {

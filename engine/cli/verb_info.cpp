@@ -106,6 +106,7 @@ struct Replicates {
     std::vector<std::string> files{}, outcomes{};
     std::vector<std::uint64_t> seeds{};
     std::vector<Totals> totals{};
+    std::vector<std::vector<MeasureError>> errors{};  // as the runs estimate them
 
     [[nodiscard]] bool has_seed(std::uint64_t seed) const {
         return std::find(seeds.begin(), seeds.end(), seed) != seeds.end();
@@ -116,6 +117,12 @@ struct Replicates {
         for (std::size_t i = 0; i < seeds.size(); ++i)
             ends.push_back({seeds[i], outcomes[i], totals[i].normal_speed_rms_um_per_s});
         return statistics::remark_on_motion(ends);
+    }
+    [[nodiscard]] std::vector<std::string> remarks() const {
+        std::vector<std::string> all = remarks_on_resolution(seeds, errors);
+        if (std::string motion = remark_on_motion(); !motion.empty())
+            all.insert(all.begin(), std::move(motion));
+        return all;
     }
 };
 
@@ -138,6 +145,7 @@ std::vector<Replicates> read_replicates(const std::vector<std::string>& files) {
         at->seeds.push_back(reader.header()->seed);
         at->outcomes.push_back(reader.outcome().empty() ? "not ended" : reader.outcome());
         at->totals.push_back(reader.frame(reader.n_frames() - 1)->totals);
+        at->errors.push_back(reader.end().errors);
     }
     return all;
 }
@@ -147,7 +155,7 @@ ExitCode info_of_several(const InfoArguments& arguments) {
     nlohmann::json document = nlohmann::json::array();
     std::string text;
     for (const Replicates& replicates : read_replicates(arguments.files)) {
-        const std::string motion = replicates.remark_on_motion();
+        const std::vector<std::string> remarks = replicates.remarks();
         document.push_back({{"title", replicates.setup.title},
                             {"gamma_over_omega", number_or_null(replicates.setup.gamma_over_omega)},
                             {"Et_over_omega", number_or_null(replicates.setup.Et_over_omega)},
@@ -157,8 +165,7 @@ ExitCode info_of_several(const InfoArguments& arguments) {
                             {"seeds", replicates.seeds},
                             {"outcomes", replicates.outcomes},
                             {"changes", replicates.setup.changes},
-                            {"remarks", motion.empty() ? nlohmann::json::array()
-                                                       : nlohmann::json::array({motion})},
+                            {"remarks", remarks},
                             {"totals", seed_means_json(replicates.totals)}});
         text += fmt::format("{}{}\ngamma/omega          {}\nEt/omega             {}\n"
                             "cells                {} of {} nodes\n",
@@ -170,7 +177,7 @@ ExitCode info_of_several(const InfoArguments& arguments) {
         for (std::size_t i = 0; i < replicates.files.size(); ++i)
             text += fmt::format("seed {:<15} {}, {}\n", replicates.seeds[i], replicates.outcomes[i],
                                 replicates.files[i]);
-        if (!motion.empty()) text += motion + "\n";
+        for (const std::string& remark : remarks) text += remark + "\n";
         text += seed_means_text(replicates.totals);
     }
     if (arguments.common.json)

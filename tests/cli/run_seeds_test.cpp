@@ -1,4 +1,5 @@
 // run --seeds, and what info says of several runs.
+#include "engine/cli/seed_means_text.hpp"
 #include "tests/cli/program_runner.hpp"
 #include "tests/cli/three_cells_scene.hpp"
 
@@ -6,6 +7,8 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <string>
 
 namespace spheroscope {
 namespace {
@@ -46,8 +49,38 @@ TEST_F(RunSeeds, MakesOneRunForEachSeedAndTheirMeans) {
     // 0.3 s after beads have become cells nothing is at rest
     const std::string moving = "seed 1 (done), 2 (done), 3 (done): nodes still move with ";
     EXPECT_NE(text.out.find(moving), std::string::npos) << text.out;
-    ASSERT_EQ(info["setups"][0]["remarks"].size(), 1U);
-    EXPECT_EQ(info["setups"][0]["remarks"][0].get<std::string>().find(moving), 0U);
+    const auto& remarks = info["setups"][0]["remarks"];
+    ASSERT_FALSE(remarks.empty());
+    EXPECT_EQ(remarks[0].get<std::string>().find(moving), 0U);
+    // what is not resolved in a run is said beside the means, and nothing else is
+    std::map<std::string, std::string> seeds_of;
+    for (int seed = 1; seed <= 3; ++seed)
+        for (const auto& measure :
+             json_of(call({"info", "out/seed_" + std::to_string(seed) + "/run.h5",
+                           "--json"}))["not_resolved"])
+            seeds_of[measure] += (seeds_of[measure].empty() ? "" : ", ") + std::to_string(seed);
+    EXPECT_EQ(remarks.size(), 1 + seeds_of.size());
+    for (const auto& [measure, seeds] : seeds_of) {
+        const std::string remark = measure + " is not resolved in seed " + seeds + ": ";
+        EXPECT_NE(text.out.find(remark), std::string::npos) << remark << text.out;
+    }
+}
+
+TEST(SeedMeans, SayWhichMeasureIsNotResolvedInWhichSeed) {
+    MeasureError good{"sigma_h_core", "kPa", 1.0}, bad = good;
+    good.time = 0.5;
+    bad.time = 1.5;
+    const std::vector<std::uint64_t> seeds{4, 5, 6};
+    const std::vector<std::string> remarks = cli::remarks_on_resolution(
+        seeds, std::vector<std::vector<MeasureError>>{{bad}, {good}, {bad}});
+    // the defect from Young-Laplace is made of the core's stress
+    ASSERT_EQ(remarks.size(), 3U);
+    EXPECT_EQ(remarks[0],
+              "sigma_h_core is not resolved in seed 4, 6: its error there is larger than "
+              "its value");
+    EXPECT_EQ(remarks[1].find("eps_YL_omega is not resolved in seed 4, 6"), 0U);
+    EXPECT_TRUE(
+        cli::remarks_on_resolution(seeds, std::vector<std::vector<MeasureError>>(3)).empty());
 }
 
 TEST_F(RunSeeds, GoOnAfterASeedThatFailedAndEndWithItsCode) {
