@@ -268,6 +268,7 @@ MovieResult make_movie_of(std::span<FrameSource* const> runs, const MovieSetting
     MovieResult result;
     result.n_frames = static_cast<int>(pictures.size());
     result.range = surveys[0].range;
+    result.remarks = shots_beyond_the_end(picture, surveys[0].time_s.back());
     result.share_outside =
         picture.range == "frame" ? 2.0 * RangeFinder::k_share_beyond : surveys[0].share_outside;
 

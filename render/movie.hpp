@@ -31,6 +31,7 @@ struct MovieResult {
     bool stopped = false;      ///< on request: the pictures so far are there, the movie is not
     Range range;               ///< of the whole movie; of nothing with range = "frame"
     double share_outside = 0;  ///< at most this share of all coloured values lies outside the range
+    std::vector<std::string> remarks = {};  ///< what was wanted and is not to be seen
 };
 
 /// Makes the pictures of all frames and the movie of them, with one colour range and one scale,

@@ -2,6 +2,8 @@
 
 #include "engine/scene/shots.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,6 +42,19 @@ std::vector<MovieFrame> movie_frames(const scene::Picture& picture,
         case scene::Shot::Kind::cutaway: now.cutaway = shot.has_cutaway; break;
         }
     return result;
+}
+
+std::vector<std::string> shots_beyond_the_end(const scene::Picture& picture, double last_time_s) {
+    // As written: a last output may miss its round time by the rounding of a sum of steps.
+    const double slack_s = 1e-6 * std::max(1.0, std::abs(last_time_s));
+    std::vector<std::string> remarks;
+    for (const scene::Shot& shot : scene::parse_shots(picture))
+        if (shot.kind == scene::Shot::Kind::play && std::isfinite(shot.until_s) &&
+            shot.until_s > last_time_s + slack_s)
+            remarks.push_back(
+                fmt::format("picture '{}': a shot plays to {:g} s, and the run ends at {:g} s",
+                            picture.name, shot.until_s, last_time_s));
+    return remarks;
 }
 
 std::vector<int> frames_beside(std::span<const double> time_s,

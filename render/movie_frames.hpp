@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace spheroscope::render {
@@ -22,6 +23,11 @@ struct MovieFrame {
 /// (usage) as scene::parse_shots does.
 [[nodiscard]] std::vector<MovieFrame> movie_frames(const scene::Picture& picture,
                                                    std::span<const double> time_s);
+
+/// What of the shots cannot be seen since the run ends before: a line for each shot that plays to a
+/// later time.
+[[nodiscard]] std::vector<std::string> shots_beyond_the_end(const scene::Picture& picture,
+                                                            double last_time_s);
 
 /// For each frame of the first run, the frame of the other that is shown beside it: the last one
 /// that is not later. Frames of seeding all have time 0; they go by their number.

@@ -92,6 +92,7 @@ void draw(const RunFileReader& reader, const std::vector<scene::Picture>& pictur
         const render::MovieResult result = other ? render::make_comparison(frames, *other, settings)
                                                  : render::make_movie(frames, settings);
         progress.clear();
+        for (const std::string& remark : result.remarks) cli::log_warning(remark);
         const double wall_s =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         outcome.document["movies"].push_back(
@@ -104,6 +105,7 @@ void draw(const RunFileReader& reader, const std::vector<scene::Picture>& pictur
              {"drawn", result.n_drawn},
              {"stopped", result.stopped},
              {"share_outside_range", result.share_outside},
+             {"remarks", result.remarks},
              {"wall_s", wall_s}});
         if (!result.stopped)
             outcome.text += fmt::format(
@@ -262,9 +264,50 @@ void refuse_idle_options(const MovieArguments& arguments) {
     refuse(!common.overrides().empty(), common.seed ? "--seed" : "--set", where);
 }
 
-ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocation) {
-    refuse_idle_options(arguments);
-    if (!arguments.verify.empty()) return verify(arguments, invocation);
+/// What a movie is made of.
+struct MovieInput {
+    std::string run_file;
+    fs::path folder;
+    std::vector<scene::Picture> pictures;
+    bool is_drawn = true;  ///< a run that will go on later has no movie yet
+};
+
+MovieInput input_of_run(const MovieArguments& arguments) {
+    return {
+        arguments.input,
+        arguments.common.output.empty() ? fs::path(arguments.input).parent_path()
+                                        : fs::path(arguments.common.output),
+        choose(pictures_of(RunFileReader(arguments.input), arguments.common), arguments.picture)};
+}
+
+/// Simulates the scene, unless its run is there.
+MovieInput input_of_scene(const MovieArguments& arguments, const cli::Invocation& invocation,
+                          MovieOutcome& outcome) {
+    const scene::Scene scene = scene::load_scene(arguments.input, arguments.common.overrides());
+    cli::log_warnings(scene.warnings);
+    if (scene.pictures.empty())
+        throw Error(Loc{arguments.input, 0, 0}, "a movie needs at least one [[picture]]",
+                    "`run` simulates without pictures");
+    const cli::RunPlace place = cli::run_place(arguments.input, arguments.common);
+    MovieInput input{place.run_file(), place.folder, choose(scene.pictures, arguments.picture)};
+    if (!arguments.overwrite && has_finished_run(place, scene)) {
+        cli::log_info(fmt::format("{} holds this run already", input.run_file));
+        return input;
+    }
+    const cli::SimulationSummary summary =
+        cli::simulate(scene, place, arguments.common, arguments.overwrite, invocation);
+    outcome.code = summary.code;
+    outcome.document["run"] = cli::summary_json(summary, place);
+    outcome.text += cli::summary_text(summary, place);
+    if (!summary.result.message.empty()) cli::log_error(summary.result.message);
+    // One that became unstable has a movie, too.
+    const RunVerdict verdict = summary.result.verdict;
+    input.is_drawn = verdict == RunVerdict::finished || verdict == RunVerdict::cap ||
+                     verdict == RunVerdict::unstable;
+    return input;
+}
+
+void refuse_early(const MovieArguments& arguments) {
     if (arguments.input.empty())
         throw Error("movie wants a scene or a run's file, got none",
                     "spheroscope movie --help lists what it takes");
@@ -273,50 +316,25 @@ ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocatio
             !problem.empty())
             throw Error("-o: " + problem, "with --verify it is the file of a sheet");
     if (!arguments.compare.empty()) static_cast<void>(RunFileReader(arguments.compare));
+}
+
+ExitCode movie(const MovieArguments& arguments, const cli::Invocation& invocation) {
+    refuse_idle_options(arguments);
+    if (!arguments.verify.empty()) return verify(arguments, invocation);
+    refuse_early(arguments);
     MovieOutcome outcome;
     outcome.document["movies"] = nlohmann::json::array();
-    std::string run_file = arguments.input;
-    fs::path folder;
-    std::vector<scene::Picture> pictures;
-    bool is_drawn = true;
+    const bool is_of_run = is_run_file(arguments.input);
+    const MovieInput input =
+        is_of_run ? input_of_run(arguments) : input_of_scene(arguments, invocation, outcome);
     std::exception_ptr trouble;
-    if (is_run_file(arguments.input)) {
-        folder = arguments.common.output.empty() ? fs::path(arguments.input).parent_path()
-                                                 : fs::path(arguments.common.output);
-        pictures =
-            choose(pictures_of(RunFileReader(run_file), arguments.common), arguments.picture);
-    } else {
-        const scene::Scene scene = scene::load_scene(arguments.input, arguments.common.overrides());
-        cli::log_warnings(scene.warnings);
-        if (scene.pictures.empty())
-            throw Error(Loc{arguments.input, 0, 0}, "a movie needs at least one [[picture]]",
-                        "`run` simulates without pictures");
-        pictures = choose(scene.pictures, arguments.picture);
-        const cli::RunPlace place = cli::run_place(arguments.input, arguments.common);
-        folder = place.folder;
-        run_file = place.run_file();
-        if (!arguments.overwrite && has_finished_run(place, scene)) {
-            cli::log_info(fmt::format("{} holds this run already", run_file));
-        } else {
-            const cli::SimulationSummary summary =
-                cli::simulate(scene, place, arguments.common, arguments.overwrite, invocation);
-            outcome.code = summary.code;
-            outcome.document["run"] = cli::summary_json(summary, place);
-            outcome.text += cli::summary_text(summary, place);
-            if (!summary.result.message.empty()) cli::log_error(summary.result.message);
-            // A run that will go on later has no movie yet; one that became unstable has.
-            const RunVerdict verdict = summary.result.verdict;
-            is_drawn = verdict == RunVerdict::finished || verdict == RunVerdict::cap ||
-                       verdict == RunVerdict::unstable;
-        }
-    }
-    if (is_drawn) {
+    if (input.is_drawn) {
         try {
-            const RunFileReader reader(run_file);
+            const RunFileReader reader(input.run_file);
             if (reader.n_frames() > 0)
-                draw(reader, pictures, folder, arguments, outcome);
-            else if (is_run_file(arguments.input))
-                throw Error(run_file + ": there is no frame to make a movie of",
+                draw(reader, input.pictures, input.folder, arguments, outcome);
+            else if (is_of_run)
+                throw Error(input.run_file + ": there is no frame to make a movie of",
                             "the run has no frames yet");
         } catch (...) {
             // What the run has come to, and movies that are there, are told first.

@@ -26,6 +26,16 @@ TEST(MovieFrames, AShotThatPlaysNothingNewIsNoPicture) {
               (std::vector{0, 0, 0, 1, 2}));
 }
 
+TEST(MovieFrames, SayWhichShotsLieBeyondTheEnd) {
+    scene::Picture picture;
+    picture.name = "main";
+    picture.shots = {"play to 1 s", "freeze 1 s", "play to 2 s", "play to 400 s", "play to end"};
+    const std::vector<std::string> remarks = shots_beyond_the_end(picture, 2.0 - 1e-12);
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_EQ(remarks[0], "picture 'main': a shot plays to 400 s, and the run ends at 2 s");
+    EXPECT_TRUE(shots_beyond_the_end({}, 2.0).empty());
+}
+
 TEST(FramesBeside, AreTheLastThatAreNotLater) {
     const std::vector times{0.0, 0.0, 0.0, 1.0, 2.0, 3.0};
     EXPECT_EQ(frames_beside(times, times), (std::vector{0, 1, 2, 3, 4, 5}));
