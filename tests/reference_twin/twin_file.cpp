@@ -10,7 +10,10 @@
 namespace spheroscope::test {
 namespace {
 
-const std::string k_path = std::string(SPHEROSCOPE_SOURCE_DIR) + "/tests/reference/twin.h5";
+std::string path_of(ContactForm form) {
+    return std::string(SPHEROSCOPE_SOURCE_DIR) + "/tests/reference/" +
+           (form == ContactForm::variational ? "twin_variational.h5" : "twin.h5");
+}
 
 std::vector<Vec3> as_vectors(const std::vector<double>& flat) {
     std::vector<Vec3> result;
@@ -21,8 +24,8 @@ std::vector<Vec3> as_vectors(const std::vector<double>& flat) {
 
 }  // namespace
 
-TwinProblem::TwinProblem(const std::string& name)
-    : group_("/" + name), file_(k_path, hdf5::File::Mode::read) {
+TwinProblem::TwinProblem(const std::string& name, ContactForm form)
+    : group_("/" + name), file_(path_of(form), hdf5::File::Mode::read) {
     std::vector<MeshTopology::Triangle> triangles;
     const auto corners = file_.read_array<std::int32_t>(object("mesh/triangles"));
     for (std::size_t t = 0; t + 2 < corners.size(); t += 3)
@@ -44,8 +47,10 @@ TwinProblem::TwinProblem(const std::string& name)
     // Reading `text`: W = omega, and the surfaces touch at rest.
     values_.contact =
         adhesive_law(value("omega_nN_per_um"), value("h0_um"), 2.0, value("reject_cos"));
-    values_.contact_friction = ContactFriction{value("friction_normal_kPa_s_per_um"),
-                                               value("friction_tangential_kPa_s_per_um")};
+    values_.contact->form = form;
+    const ContactFriction friction{value("friction_normal_kPa_s_per_um"),
+                                   value("friction_tangential_kPa_s_per_um")};
+    if (friction.normal_kPa_s_per_um > 0.0) values_.contact_friction = friction;
 }
 
 std::string TwinProblem::object(const std::string& path) const {

@@ -23,12 +23,12 @@ struct TwinMeasures {
     std::vector<TwinContact> contacts;
 };
 
-/// One problem of tests/reference/twin.h5, "doublet" or "thirteen". The mesh is the twin's own, so
-/// that node i is the same node in both programs.
+/// One problem of tests/reference/twin.h5 (law `traction`) or twin_variational.h5, "doublet" or
+/// "thirteen". The mesh is the twin's own, so that node i is the same node in both programs.
 class TwinProblem {
   public:
     /// Throws Error if the file is missing or lacks what is asked of it; so do all functions.
-    explicit TwinProblem(const std::string& name);
+    explicit TwinProblem(const std::string& name, ContactForm form = ContactForm::traction);
 
     [[nodiscard]] const Model& model() const { return model_; }
     /// The twin's parameters.
@@ -36,7 +36,7 @@ class TwinProblem {
     [[nodiscard]] std::vector<Vec3> vectors(const std::string& path) const;  ///< [all nodes]
     [[nodiscard]] std::vector<double> numbers(const std::string& path) const;
     [[nodiscard]] double attribute(const std::string& path, const std::string& key) const;
-    /// `where`: "configuration" or "end".
+    /// `where`: "configuration", "end", or what else has the measures.
     [[nodiscard]] TwinMeasures measures(const std::string& where) const;
 
   private:
