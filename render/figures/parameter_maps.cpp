@@ -137,9 +137,7 @@ reports::Plot::Map map_of(Figure& figure, Setups setups, const Grid& grid, const
                     figure.missing.push_back(fmt::format("panel {}, {}: {} is undefined", panel,
                                                          setup->label, quantity.total));
             }
-            const std::string marks = marks_of(setups, setup, gamma, Et);
-            if (!value.mark.empty() && !marks.empty()) value.mark += " ";
-            value.mark += marks;
+            value.mark += marks_of(setups, setup, gamma, Et);  // a field has room for no space
             map.values.push_back(std::move(value));
         }
     }
