@@ -306,7 +306,7 @@ void ContactSheet::Hidden::draw_bar(const std::optional<ContactReport>& report, 
                   Anchor::right);
     }
     write(image, x0, k_bar_y + 60.0, "pull", 16.0, k_soft_ink);
-    write(image, x0 + 0.5 * width, k_bar_y + 60.0, "P = \u2212σ_nn in Pa", 16.0, k_ink,
+    write(image, x0 + 0.5 * width, k_bar_y + 60.0, "P = \u2212σ^c_nn in Pa", 16.0, k_ink,
           Anchor::middle, FontStyle::normal, TextMode::symbol);
     write(image, x0 + width, k_bar_y + 60.0, "push", 16.0, k_soft_ink, Anchor::right);
 }
@@ -332,8 +332,8 @@ void ContactSheet::Hidden::draw_numbers(const ContactSummary& summary,
     line("area", number(summary.area_um2, "µm²"));
     line("mean overlap", number(summary.mean_overlap_h0, "h₀"));
     line("largest overlap", number(summary.largest_overlap_h0, "h₀"));
-    line("lowest σ_nn (push)", number(k_Pa_per_kPa * summary.sigma_nn_low_kPa, "Pa"));
-    line("highest σ_nn (pull)", number(k_Pa_per_kPa * summary.sigma_nn_high_kPa, "Pa"));
+    line("lowest σ^c_nn (push)", number(k_Pa_per_kPa * summary.sigma_nn_low_kPa, "Pa"));
+    line("highest σ^c_nn (pull)", number(k_Pa_per_kPa * summary.sigma_nn_high_kPa, "Pa"));
     line(fmt::format("contacts of A, of B"), fmt::format("{}, {}", summary.Z_a, summary.Z_b));
     if (!report) return;
     const inspect::Balance& balance = report->balance;

@@ -293,8 +293,9 @@ cli::Verb figures_verb() {
                                            "HDF5 files of runs; seeds of one setup are pooled");
                 command.option(
                     "--only", arguments->only,
-                    "this figure only, fig1 ... fig7; may be given several times. fig1 shows "
-                    "the first run and is drawn by name alone");
+                    "this figure only: fig1, fig2, fig3, fig4, fig5, fig7 or force_displacement; "
+                    "may be given several times. fig1 shows the first run and is drawn by name "
+                    "alone");
                 cli::add_common_options(
                     command, arguments->common,
                     {CommonOption::output_folder, CommonOption::json, CommonOption::quiet});

@@ -147,8 +147,9 @@ cli::Verb view_verb() {
                 using cli::CommonOption;
                 const auto arguments = std::make_shared<ViewArguments>();
                 command.argument("SCENE|FILE", arguments->input, "scene, or HDF5 file of a run");
-                command.flag("--overwrite", arguments->overwrite,
-                             "begin anew where an unfinished run, or that of another scene, is");
+                command.flag(
+                    "--overwrite", arguments->overwrite,
+                    "begin anew where a run is: unfinished, finished, or of another scene or seed");
                 command.flag("--paused", arguments->paused,
                              "a scene begins in a pause: Space plays, . makes one step");
                 cli::add_common_options(command, arguments->common,

@@ -65,9 +65,10 @@ void add_common_option(CommandLine& command, CommonOptions& options, CommonOptio
         command.flag("--resume", options.resume, "go on from the last checkpoint");
         return;
     case CommonOption::time_limit:
-        command.option("--time-limit", options.time_limit,
-                       "stop with a checkpoint after this time, for instance '90 s' or '2 h'",
-                       {"TIME"});
+        command.option(
+            "--time-limit", options.time_limit,
+            "stop after this time, for instance '90 s' or '2 h'; a run leaves a checkpoint",
+            {"TIME"});
         return;
     case CommonOption::checkpoint_every:
         command.option("--checkpoint-every", options.checkpoint_every,

@@ -84,8 +84,9 @@ Verb run_verb() {
                 const auto arguments = std::make_shared<RunArguments>();
                 command.argument("SCENE|FILE", arguments->scene,
                                  "scene file, or HDF5 file of a run");
-                command.flag("--overwrite", arguments->overwrite,
-                             "begin anew where an unfinished run, or that of another scene, is");
+                command.flag(
+                    "--overwrite", arguments->overwrite,
+                    "begin anew where a run is: unfinished, finished, or of another scene or seed");
                 command.option("--seeds", arguments->seeds,
                                "one run after the other with these seeds, 1..5 or 1,4,7, each in "
                                "a folder of its own; --time-limit is that of each",

@@ -37,8 +37,8 @@ std::span<const Quantity> all_quantities() {
         {"largest_overlap_um", "µm", "largest overlap", &S::largest_overlap_um},
         {"mean_overlap_h0", "h₀", "mean overlap", &S::mean_overlap_h0},
         {"largest_overlap_h0", "h₀", "largest overlap", &S::largest_overlap_h0},
-        {"sigma_nn_low_kPa", "kPa", "lowest σ_nn", &S::sigma_nn_low_kPa},
-        {"sigma_nn_high_kPa", "kPa", "highest σ_nn", &S::sigma_nn_high_kPa},
+        {"sigma_nn_low_kPa", "kPa", "lowest σ^c_nn", &S::sigma_nn_low_kPa},
+        {"sigma_nn_high_kPa", "kPa", "highest σ^c_nn", &S::sigma_nn_high_kPa},
         {"Z_a", "", "contacts of A", &S::Z_a},
         {"Z_b", "", "contacts of B", &S::Z_b},
     }};

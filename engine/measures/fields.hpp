@@ -25,7 +25,7 @@ enum class Requires { nothing, elastic, contact, cytosol };
 /// never zero.
 struct Field {
     std::string_view name;        ///< key in scene files and in the HDF5 file, e.g. "sigma_nn"
-    std::string_view symbol;      ///< for legends, UTF-8, e.g. "σ_nn"
+    std::string_view symbol;      ///< for legends, UTF-8, e.g. "σ^c_nn"
     std::string_view unit;        ///< of the stored values, ASCII, e.g. "kPa"
     std::string_view shown_unit;  ///< of the legend, UTF-8, e.g. "Pa"
     double shown_per_stored;      ///< shown value = stored value * this (kPa -> Pa: 1000)
