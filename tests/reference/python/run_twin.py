@@ -190,8 +190,18 @@ def put_problem(file, name, model, centres, start_centres, duration, n_steps, ra
     put_end(group.create_group("end"), model, start, duration, n_steps)
 
 
+def put_provenance(file, command):
+    """How the file is made again, with which versions, and the CPU time that it took."""
+    file.attrs["command"] = "OPENBLAS_NUM_THREADS=1 python3 " + command
+    file.attrs["python"] = platform.python_version()
+    file.attrs["numpy"] = np.__version__
+    file.attrs["h5py"] = h5py.__version__
+    file.attrs["hdf5"] = h5py.version.hdf5_version
+    file.attrs["cpu_s"] = time.process_time()
+    print(f"{file.attrs['cpu_s']:.0f} s of CPU time")
+
+
 def main(path):
-    begin = time.process_time()
     mesh, fine_mesh = Mesh(1), Mesh(2)
     two = np.array([[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]])
     # One cell in the middle and twelve around it, somewhat pressed together.
@@ -205,13 +215,7 @@ def main(path):
         put_problem(file, "thirteen", model, thirteen, thirteen, 2.0, 400, random)
         model = Model(fine_mesh, [9.0, 8.2], Parameters())
         put_problem(file, "fine_doublet", model, 8.35 * two, 8.5 * two, 2.0, 400, random)
-        file.attrs["command"] = "OPENBLAS_NUM_THREADS=1 python3 run_twin.py ../twin.h5"
-        file.attrs["python"] = platform.python_version()
-        file.attrs["numpy"] = np.__version__
-        file.attrs["h5py"] = h5py.__version__
-        file.attrs["hdf5"] = h5py.version.hdf5_version
-        file.attrs["cpu_s"] = time.process_time() - begin
-        print(f"{file.attrs['cpu_s']:.0f} s of CPU time")
+        put_provenance(file, "run_twin.py ../twin.h5")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
     OPENBLAS_NUM_THREADS=1 python3 run_variational.py ../twin_variational.h5
 """
 
-import platform
 import sys
 import time
 
@@ -12,7 +11,7 @@ import numpy as np
 
 from mesh import Mesh
 from model import Parameters
-from run_twin import deformed, placed, put, put_measures, random_rotation
+from run_twin import deformed, placed, put, put_measures, put_provenance, random_rotation
 from variational import (
     TooDeep,
     VariationalModel,
@@ -251,7 +250,6 @@ def put_start(group, model, centres, random):
 
 
 def main(path):
-    begin = time.process_time()
     mesh, fine_mesh = Mesh(1), Mesh(2)
     axis = np.array([[0.0, 0.0, -0.5], [0.0, 0.0, 0.5]])
     # From spheres that are 0.4 um apart, and adhere, to such that are 0.3 um inside each other.
@@ -278,15 +276,7 @@ def main(path):
         # Thirteen cells take too long to come to rest here.
         model = VariationalModel(mesh, np.full(13, 9.0), parameters())
         put_problem(file, "thirteen", model, [18.2 * thirteen], random)
-        file.attrs["command"] = (
-            "OPENBLAS_NUM_THREADS=1 python3 run_variational.py ../twin_variational.h5"
-        )
-        file.attrs["python"] = platform.python_version()
-        file.attrs["numpy"] = np.__version__
-        file.attrs["h5py"] = h5py.__version__
-        file.attrs["hdf5"] = h5py.version.hdf5_version
-        file.attrs["cpu_s"] = time.process_time() - begin
-        print(f"{file.attrs['cpu_s']:.0f} s of CPU time")
+        put_provenance(file, "run_variational.py ../twin_variational.h5")
 
 
 if __name__ == "__main__":
