@@ -15,7 +15,9 @@ namespace {
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
+/// "a number", "an integer"; "one of ..." has none.
 std::string with_article(const std::string& noun) {
+    if (noun.starts_with("one of ")) return noun;
     const bool vowel = std::string_view("aeiou").find(noun[0]) != std::string_view::npos;
     return (vowel ? "an " : "a ") + noun;
 }

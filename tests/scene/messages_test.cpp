@@ -189,6 +189,15 @@ TEST(SceneMessages, AWrongWordIsMetWithTheNearestOne) {
         "      |               ^~~~~~~~   did you mean \"single\"?");
 }
 
+TEST(SceneMessages, ANumberInPlaceOfAWordIsMetWithTheWords) {
+    EXPECT_EQ(
+        refusal(with(k_drop, "\"single\"", "[1, 2]")),
+        "a.toml:2:15: error: cells.arrangement wants one of \"packing\", \"single\", \"pair\", "
+        "\"centres\", \"file\", got [1, 2]\n"
+        "    2 | arrangement = [1, 2]\n"
+        "      |               ^~~~~~");
+}
+
 TEST(SceneMessages, MissingKeysAndTablesAreNamed) {
     EXPECT_EQ(refusal(with(k_drop, "gamma = \"0.5 nN/um\"", "")),
               "a.toml:5:1: error: cortex.tension.gamma is missing; it is required\n"
