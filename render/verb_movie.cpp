@@ -307,6 +307,7 @@ MovieInput input_of_scene(const MovieArguments& arguments, const cli::Invocation
     return input;
 }
 
+/// Mistakes that are better told before a simulation than after it.
 void refuse_early(const MovieArguments& arguments) {
     if (arguments.input.empty())
         throw Error("movie wants a scene or a run's file, got none",

@@ -48,9 +48,8 @@ std::string MeasureError::advice() const {
     if (largest == size(mesh))
         // Stresses have no common order: the corners that carry them move with the mesh.
         return measure.starts_with("sigma_h")
-                   ? "mesh: a finer mesh (cells.nodes) makes it smaller; `precision --mesh` says "
-                     "by "
-                     "how much"
+                   ? "mesh: a finer mesh (cells.nodes) makes it smaller; `precision --mesh` "
+                     "says by how much"
                    : "mesh: one with four times as many nodes (cells.nodes) divides it by about 4";
     if (largest == size(rest)) return "what still moves: a longer relaxation halves it";
     return "time steps" + (halves_time.empty() ? "" : ": " + halves_time);

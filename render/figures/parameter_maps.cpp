@@ -232,9 +232,8 @@ Figure parameter_maps(Setups setups) {
                         grid.gamma_over_omega.size() * grid.Et_over_omega.size()));
     finish(figure, setups, "Fig. 7: over γ/ω and Et/ω");
     figure.plot.caption.push_back(fmt::format(
-        "± standard error over seeds. † outside of the ranges of Table 2. ‡ with the strain "
-        "limiter. "
-        "× with collapsed triangles. {}",
+        "± standard error over seeds. † outside of the ranges of Table 2. "
+        "‡ with the strain limiter. × with collapsed triangles. {}",
         grids.size() > 1 ? "One colour range for both maps of a measure."
                          : "Colours range over the values of this picture's maps alone."));
     return figure;
