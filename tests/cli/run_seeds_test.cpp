@@ -54,11 +54,12 @@ TEST_F(RunSeeds, MakesOneRunForEachSeedAndTheirMeans) {
     EXPECT_EQ(remarks[0].get<std::string>().find(moving), 0U);
     // what is not resolved in a run is said beside the means, and nothing else is
     std::map<std::string, std::string> seeds_of;
-    for (int seed = 1; seed <= 3; ++seed)
-        for (const auto& measure :
-             json_of(call({"info", "out/seed_" + std::to_string(seed) + "/run.h5",
-                           "--json"}))["not_resolved"])
+    for (int seed = 1; seed <= 3; ++seed) {
+        const std::string file = "out/seed_" + std::to_string(seed) + "/run.h5";
+        const auto of_one = json_of(call({"info", file, "--json"}));
+        for (const auto& measure : of_one["not_resolved"])
             seeds_of[measure] += (seeds_of[measure].empty() ? "" : ", ") + std::to_string(seed);
+    }
     EXPECT_EQ(remarks.size(), 1 + seeds_of.size());
     for (const auto& [measure, seeds] : seeds_of) {
         const std::string remark = measure + " is not resolved in seed " + seeds + ": ";
