@@ -62,7 +62,12 @@ void set_status(Furniture& furniture, const Snapshot& snapshot, int time_decimal
         furniture.status += fmt::format("   {:.0f} %", 100.0 * snapshot.stage_progress);
 }
 
-std::vector<std::string> notes(const Snapshot& snapshot) {
+/// Cells that are pulled apart are no longer under the bead, which is then left out.
+bool draws_load(const Snapshot& snapshot, const scene::Picture& picture) {
+    return snapshot.load.probe.acts() && picture.exploded == 0.0;
+}
+
+std::vector<std::string> notes(const Snapshot& snapshot, const scene::Picture& picture) {
     const Totals& totals = snapshot.totals;
     std::vector<std::string> lines;
     if (std::isfinite(totals.coordination_Z) && totals.coordination_Z > 0.0)
@@ -70,7 +75,8 @@ std::vector<std::string> notes(const Snapshot& snapshot) {
     if (std::isfinite(totals.contact_fraction) && totals.contact_fraction > 0.0)
         lines.push_back(fmt::format("contact area {:.0f} %", 100.0 * totals.contact_fraction));
     if (snapshot.load.probe.acts()) {
-        lines.push_back(fmt::format("bead {:.1f} nN", totals.probe_force_nN));
+        lines.push_back(fmt::format("bead {:.1f} nN{}", totals.probe_force_nN,
+                                    draws_load(snapshot, picture) ? "" : ", not drawn"));
         lines.push_back(fmt::format("way {:.2f} µm", totals.probe_way_um));
     }
     return lines;
@@ -86,11 +92,6 @@ std::string note_of_changes(const Snapshot& snapshot) {
                 symbols.push_back(symbol);
         }
     return symbols.empty() ? "" : fmt::format("{} changed on the way", fmt::join(symbols, ", "));
-}
-
-/// Cells that are pulled apart are no longer under the bead, which is then left out.
-bool draws_load(const Snapshot& snapshot, const scene::Picture& picture) {
-    return snapshot.load.probe.acts() && picture.exploded == 0.0;
 }
 
 /// Distance from the middle of the aggregate within which everything lies that is drawn.
@@ -336,7 +337,7 @@ Image Renderer::draw(const Snapshot& snapshot, const View& view) {
     const bool has_mechanics = shows_field(snapshot);
     const bool draws_network = has_mechanics && h.picture.network;
     if (has_mechanics) {
-        furniture.notes = notes(snapshot);
+        furniture.notes = notes(snapshot, h.picture);
         furniture.field = h.field;
     }
     // The scale bar holds for the cells, not for the room between them. First: it has to be seen.

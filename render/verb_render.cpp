@@ -1,3 +1,4 @@
+#include "engine/base/make_folder.hpp"
 #include "engine/cli/frame_choice.hpp"
 #include "engine/cli/report_output.hpp"
 #include "engine/cli/version.hpp"
@@ -36,7 +37,7 @@ ExitCode render_stills(const RenderArguments& arguments, const cli::Invocation& 
     const int frame = cli::FrameChoice{arguments.frame, ""}.number(reader);
     const fs::path beside = fs::path(arguments.file).parent_path();
     const fs::path folder =
-        cli::report_folder(arguments.common, beside.empty() ? "." : beside.string());
+        cli::report_place(arguments.common, beside.empty() ? "." : beside.string());
     StoredFrames frames(reader);
     for (const scene::Picture& picture :
          choose(pictures_of(reader, arguments.common), arguments.picture)) {
@@ -62,6 +63,7 @@ ExitCode render_stills(const RenderArguments& arguments, const cli::Invocation& 
         const render::Image image = painter.paint(all);
         render::PngTexts texts = with_command(painter.texts(all), invocation);
         texts[render::k_drawn_with_key] = painter.drawn_with();
+        make_folder(folder);  // not before there is a picture
         render::write_png(path, image, texts);
         fmt::print("{}\n", path.string());
     }

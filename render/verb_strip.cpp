@@ -3,6 +3,7 @@
 
 #include "engine/base/counted.hpp"
 #include "engine/base/index.hpp"
+#include "engine/base/make_folder.hpp"
 #include "engine/cli/version.hpp"
 #include "render/movie_painter.hpp"
 
@@ -155,6 +156,7 @@ void draw_strip(const RunFileReader& reader, scene::Picture picture, const std::
     const render::Image image = painter.paint(shown);
     render::PngTexts texts = with_command(painter.texts(shown), invocation);
     texts[render::k_drawn_with_key] = painter.drawn_with();
+    make_folder(path.parent_path());
     render::write_png(path, image, texts);
 }
 

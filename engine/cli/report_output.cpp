@@ -18,8 +18,12 @@
 
 namespace spheroscope::cli {
 
+std::string report_place(const CommonOptions& options, const std::string& standard) {
+    return options.output.empty() ? standard : options.output;
+}
+
 std::string report_folder(const CommonOptions& options, const std::string& standard) {
-    const std::string folder = options.output.empty() ? standard : options.output;
+    const std::string folder = report_place(options, standard);
     make_folder(folder);
     return folder;
 }

@@ -15,7 +15,9 @@
 // What the verbs that print reports have in common.
 namespace spheroscope::cli {
 
-/// Where a report goes: what -o says, or the standard. The folder is made.
+/// Where a report goes: what -o says, or the standard.
+[[nodiscard]] std::string report_place(const CommonOptions& options, const std::string& standard);
+/// The same, and the folder is made.
 [[nodiscard]] std::string report_folder(const CommonOptions& options, const std::string& standard);
 
 /// Throws Error (environment) when the text cannot be written.

@@ -239,8 +239,7 @@ std::string verdicts_text(const std::vector<JudgedClaim>& judged) {
 
 nlohmann::json json_of(const JudgedClaim& row, const MeasuredSetups& measured) {
     const claims::Claim& claim = *row.claim;
-    return {{"id", claim.id},
-            {"claim", claim.id},
+    return {{"claim", claim.id},
             {"source", claim.source},
             {"says", claim.says},
             {"setup", claim.measured.setup},
@@ -250,8 +249,6 @@ nlohmann::json json_of(const JudgedClaim& row, const MeasuredSetups& measured) {
             {"tolerance", claim.tolerance},
             {"tolerance_factor", claim.tolerance_factor},
             {"written", claims::name_of(claim.written)},
-            {"ours", number_or_null(row.value.mean)},
-            {"error", number_or_null(row.value.standard_error)},
             {"mean", number_or_null(row.value.mean)},
             {"standard_error", number_or_null(row.value.standard_error)},
             {"seeds", row.value.n},

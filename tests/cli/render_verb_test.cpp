@@ -42,5 +42,17 @@ TEST_F(RenderVerb, AFrameThatIsNotThereIsRefusedWithThoseThatAre) {
     }
 }
 
+TEST_F(RenderVerb, WhatIsRefusedLeavesNoFolder) {
+    for (const std::vector<std::string>& refused :
+         {std::vector<std::string>{"--picture", "none"}, {"--frames", "0,7"}, {"--frame", "3"}}) {
+        std::vector<std::string> arguments{"render", "run.h5", "-o", "stills"};
+        arguments.insert(arguments.end(), refused.begin(), refused.end());
+        EXPECT_EQ(call(arguments).code, 2);
+        EXPECT_FALSE(std::filesystem::exists(path("stills"))) << refused[0];
+    }
+    ASSERT_EQ(call({"render", "run.h5", "-o", "stills", "--frames", "0,-1"}).code, 0);
+    EXPECT_EQ(names_in("stills"), std::vector<std::string>{"main_strip.png"});
+}
+
 }  // namespace
 }  // namespace spheroscope

@@ -92,10 +92,10 @@ TEST_F(Reproduce, MakesTheRunsThatAreMissingAndJudges) {
     EXPECT_EQ(verdict(quick, 1), "no data");  // no quick seeds
     EXPECT_EQ(verdict(quick, 2), "differs");
     const nlohmann::json row = json_of(quick)["claims"][0];
-    EXPECT_EQ(row["id"], "three_cells_have_a_rim/soft");
+    EXPECT_EQ(row["claim"], "three_cells_have_a_rim/soft");
     EXPECT_EQ(row["paper"], "1");
-    EXPECT_EQ(row["ours"], 1.0);
-    EXPECT_TRUE(row["error"].is_null()) << "one seed";
+    EXPECT_EQ(row["mean"], 1.0);
+    EXPECT_TRUE(row["standard_error"].is_null()) << "one seed";
     EXPECT_EQ(row["written"], "before");
     EXPECT_EQ(row["ends"].get<std::string>().find("rest 0 of 1, flips 0, last dt 0.0"), 0U)
         << row["ends"];
