@@ -70,7 +70,7 @@ class EstimateOnBench : public testing::TestWithParam<const char*> {};
 
 TEST_P(EstimateOnBench, OfTheTimeStepsLiesWithinAFactorOfTheTrueError) {
     const std::vector<Exemption> exemptions{
-        // Stability bounds these steps, whatever the tolerance: half of it changes too little.
+        // Seventeen steps, bounded by how far nodes may move: too few for errors to have an order.
         {"doublet_stiff", "rkc 0.006", {"contact_area", "contact_fraction"}, 5.8},
         // Near the largest stable step the error changes its sign.
         {"stiff_cell", "forward_euler 0.00385", {"energy"}, 0.091},
