@@ -86,11 +86,12 @@ std::optional<render::Range> range_without_wall(const RunFileReader& reader,
 }
 
 /// "Colours: one range in all pictures, ..."; "" where there are none.
-std::string range_in_words(const RunHeader& header, const scene::Picture& picture,
-                           StripRange kind) {
+std::string range_in_words(const RunHeader& header, const scene::Picture& picture, StripRange kind,
+                           std::size_t n_pictures) {
     const int field = render::find_picture_field(header, picture);
     if (field < 0) return "";
     const std::string text = fmt::format("Colours: {}; ", picture.field);
+    if (n_pictures == 1) return text + "what is outside has the colours of the bar's tips.";
     if (kind == StripRange::without_wall && picture.range != "given")
         return text + "one range in all pictures, that of those without a wall; what is outside "
                       "has the colours of the bar's tips.";
@@ -135,8 +136,10 @@ void draw_strip(const RunFileReader& reader, scene::Picture picture, const std::
         one.view.fit_radius_um = widest_um;
         one.view.range = common;
         one.view.time_decimals = survey.time_decimals;
-        one.view.heading = fmt::format("{}  {}", static_cast<char>('a' + shown.size() % 26),
-                                       stage_in_words(survey.stage_names[idx(frame)]));
+        one.view.heading = stage_in_words(survey.stage_names[idx(frame)]);
+        if (frames.size() > 1)
+            one.view.heading =
+                fmt::format("{}  {}", static_cast<char>('a' + shown.size() % 26), one.view.heading);
         shown.push_back(one);
     }
     const std::vector<render::FrameSource*> runs(shown.size(), &run);
@@ -149,7 +152,8 @@ void draw_strip(const RunFileReader& reader, scene::Picture picture, const std::
         "{} ({}, seed {}): {} {} of {}.", header.title.empty() ? header.scene_name : header.title,
         header.scene_name, header.seed, frames.size() == 1 ? "frame" : "frames",
         fmt::join(frames, ", "), reader.n_frames()));
-    if (const std::string words = range_in_words(header, picture, range); !words.empty())
+    if (const std::string words = range_in_words(header, picture, range, frames.size());
+        !words.empty())
         caption.push_back(words);
     caption.push_back(fmt::format("Made by: {} ({})", invocation.command_line, invocation.version));
     painter.set_caption(caption);
