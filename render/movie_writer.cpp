@@ -5,6 +5,7 @@
 
 #include "engine/base/descriptor.hpp"
 #include "engine/base/error.hpp"
+#include "render/mp4_boxes.hpp"
 
 #include <fmt/format.h>
 
@@ -305,6 +306,8 @@ void MovieWriter::finish() {
     h.stop_feeder();
     const bool ended_well = h.encoder.finish();
     if (h.encoder_has_died || !ended_well) throw ffmpeg_stopped(h.encoder.complaint());
+    if (const std::string problem = problem_of_mp4(h.partial); !problem.empty())
+        throw no_movie(problem, k_look_at_disk);
     std::error_code error;
     std::filesystem::rename(h.partial, h.settings.path, error);
     if (error)

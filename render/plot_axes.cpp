@@ -90,7 +90,9 @@ void AxisRange::widen() {
         }
         return;
     }
-    const double width = high > low ? high - low : std::max(1e-3, 0.2 * std::abs(high));
+    // What differs in its last digits only is one value.
+    const double size = std::max(std::abs(low), std::abs(high));
+    const double width = high - low > 1e-9 * size ? high - low : std::max(1e-3, 0.2 * size);
     low = low >= 0.0 && low < 0.5 * high ? 0.0 : low - 0.06 * width;
     high += 0.06 * width;
 }
@@ -158,8 +160,9 @@ void set_axis(vtkAxis* axis, const std::string& title, const AxisRange& range,
                 add(broken->place_end, tick_label(broken->far_end, 1.0));
         }
         const double step = tick_step(high - low, 5);
-        for (double i = std::ceil(low / step); i * step <= high; ++i)
-            add(i * step, tick_label(i * step, step));
+        const double first = std::ceil(low / step);
+        for (int k = 0; (first + k) * step <= high; ++k)
+            add((first + k) * step, tick_label((first + k) * step, step));
     }
     axis->SetCustomTickPositions(places, labels);
 }

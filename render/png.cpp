@@ -3,6 +3,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/whole_file.hpp"
 
+#include <fmt/format.h>
 #include <png.h>
 
 #include <cerrno>
@@ -84,11 +85,11 @@ class PngInput {
         png_read_info(png_, info_);
         return true;
     }
-    /// After read_header. Makes every kind of PNG 8-bit RGB on white.
+    [[nodiscard]] int bits_a_channel() const { return png_get_bit_depth(png_, info_); }
+    /// After read_header. Makes every kind of PNG of up to 8 bits a channel RGB on white.
     [[nodiscard]] bool read_pixels(Image& image, std::vector<png_bytep>& rows) {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT
         png_set_expand(png_);
-        png_set_scale_16(png_);
         png_set_gray_to_rgb(png_);
         png_color_16 white{0, 255, 255, 255, 255};
         png_set_background(png_, &white, PNG_BACKGROUND_GAMMA_SCREEN, 0, 1.0);
@@ -181,6 +182,10 @@ PngFile read_png(const std::filesystem::path& path) {
     const File file = open_png(path);
     PngInput input;
     if (!input.read_header(file.get())) throw damaged(path, input.message());
+    if (input.bits_a_channel() > 8)
+        throw Error(fmt::format("{}: a picture of 8 bits a channel is wanted, got {}",
+                                path.string(), input.bits_a_channel()),
+                    "what is in the other bits would be lost");
     PngFile result{Image(input.width(), input.height()), input.texts()};
     std::vector<png_bytep> rows = row_pointers(result.image);
     if (!input.read_pixels(result.image, rows)) throw damaged(path, input.message());

@@ -21,7 +21,7 @@ struct PngFile {
     PngTexts texts;
 };
 /// Reads an 8-bit PNG of any colour type (transparency is put on white). Throws Error when the file
-/// is missing, is no PNG, or is damaged.
+/// is missing, is no PNG, is damaged, or has 16 bits a channel.
 [[nodiscard]] PngFile read_png(const std::filesystem::path& path);
 
 /// Only the texts that stand before the pixels; fast.

@@ -1,5 +1,6 @@
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/options.hpp"
+#include "engine/cli/report_output.hpp"
 #include "render/image_diff.hpp"
 #include "render/png.hpp"
 #include "render/verbs.hpp"
@@ -30,6 +31,8 @@ render::ImageTolerance tolerance_of(const DiffArguments& arguments) {
 }
 
 ExitCode diff(const DiffArguments& arguments) {
+    for (const std::string& input : {arguments.reference, arguments.other})
+        cli::refuse_own_input(arguments.common.output, input);
     const render::Image reference = render::read_png(arguments.reference).image;
     const render::Image other = render::read_png(arguments.other).image;
     if (arguments.common.json &&

@@ -3,6 +3,7 @@
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/log.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/report_output.hpp"
 #include "engine/cli/simulate.hpp"
 #include "engine/cli/version.hpp"
 #include "render/image_diff.hpp"
@@ -176,6 +177,7 @@ cli::SimulationSummary simulate_scene_of(const render::PngTexts& texts, const cl
     const auto name = texts.find("Scene name");
     const scene::Scene scene =
         scene::parse_scene(texts.at("Scene"), name == texts.end() ? "scene" : name->second);
+    cli::refuse_cells_beside_a_scene(scene, arguments.verify, "name the run's file as well");
     std::vector<Change> changes;
     if (const auto text = texts.find(render::k_changes_key); text != texts.end())
         changes = parse_changes(text->second, arguments.verify);
@@ -187,6 +189,7 @@ cli::SimulationSummary simulate_scene_of(const render::PngTexts& texts, const cl
 
 /// Draws a picture again from what its file says, of a run that is there or is simulated anew.
 ExitCode verify(const MovieArguments& arguments, const cli::Invocation& invocation) {
+    cli::refuse_own_input(arguments.common.output, arguments.verify);
     const render::PngFile file = render::read_png(arguments.verify);
     const int n_shown = render::n_shown(file.texts);
     if (arguments.compare.empty() && !is_strip_of_one_run(file.texts, n_shown))

@@ -28,6 +28,13 @@ std::string report_folder(const CommonOptions& options, const std::string& stand
     return folder;
 }
 
+void refuse_own_input(const std::string& output, const std::string& input) {
+    std::error_code none_is_there;
+    if (std::filesystem::equivalent(output, input, none_is_there) && !none_is_there)
+        throw Error(output + ": this file is read here, and would be replaced",
+                    "-o writes elsewhere");
+}
+
 void write_text_file(const std::string& path, const std::string& text) {
     WholeFile whole(path);
     std::ofstream file(whole.working_path(), std::ios::binary);

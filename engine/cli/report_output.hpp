@@ -20,6 +20,9 @@ namespace spheroscope::cli {
 /// The same, and the folder is made.
 [[nodiscard]] std::string report_folder(const CommonOptions& options, const std::string& standard);
 
+/// Throws Error when the file to be written is the one that is read.
+void refuse_own_input(const std::string& output, const std::string& input);
+
 /// Throws Error (environment) when the text cannot be written.
 void write_text_file(const std::string& path, const std::string& text);
 

@@ -253,6 +253,17 @@ void finish_file(const scene::Scene& scene, const EngineOptions& options,
 
 }  // namespace
 
+void refuse_cells_beside_a_scene(const scene::Scene& scene, const std::string& where,
+                                 const std::string& hint) {
+    if (scene.cells.arrangement != scene::Arrangement::file ||
+        fs::path(scene.cells.file).is_absolute())
+        return;
+    throw Error(fmt::format("{}: its run began with the cells of {}, beside a scene that is not "
+                            "known here",
+                            where, scene.cells.file),
+                hint);
+}
+
 std::optional<GivenCells> given_cells(const scene::Scene& scene) {
     if (scene.cells.arrangement != scene::Arrangement::file) return {};
     const fs::path path = fs::path(scene.file).parent_path() / scene.cells.file;

@@ -47,6 +47,12 @@ struct SimulationSummary {
 /// the scene's line, when they cannot be had.
 [[nodiscard]] std::optional<GivenCells> given_cells(const scene::Scene& scene);
 
+/// Throws Error for a scene that comes from a run's file or a picture (`where`) and begins with the
+/// cells of another run: their path is relative to the scene's folder, which neither knows, and
+/// where this program was called there may be others.
+void refuse_cells_beside_a_scene(const scene::Scene& scene, const std::string& where,
+                                 const std::string& hint);
+
 /// Whether a stored run is of this scene and seed. Only what the engine reads counts: other
 /// pictures are the same run.
 [[nodiscard]] bool is_run_of(const scene::Scene& scene, const RunHeader& stored);

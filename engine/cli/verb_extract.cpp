@@ -1,5 +1,6 @@
 #include "engine/cli/verb_extract.hpp"
 
+#include "engine/base/whole_file.hpp"
 #include "engine/cli/frame_choice.hpp"
 #include "engine/cli/json_output.hpp"
 #include "engine/cli/log.hpp"
@@ -47,20 +48,27 @@ ExitCode extract(const ExtractArguments& arguments) {
             throw Error(path.string() + ": this file is there already",
                         "--overwrite replaces it, -o writes elsewhere");
 
+    refuse_own_input(run_path.string(), arguments.file);
     const RunFileReader reader(arguments.file);
     const SnapshotPtr frame = reader.frame(arguments.frame.number(reader));
     inspect::FrameSystem whole(reader.header(), {}, inspect::FrameSystem::Detail::forces);
     whole.load(frame);
     const inspect::ExtractedPair pair =
         inspect::extract_pair(whole, key, run_path.filename().string(), duration_s);
+    // Both files or none: the cells get their name when they and the scene are written.
+    WholeFile cells(run_path);
+    const std::string working_path = cells.working_path().string();
     {
-        RunFileWriter writer = RunFileWriter::create(run_path.string(), *pair.header,
-                                                     RunFileWriter::Existing::replace);
+        RunFileWriter writer =
+            RunFileWriter::create(working_path, *pair.header, RunFileWriter::Existing::replace);
         writer.write(pair.frame);
         writer.finish({true, "extracted"});
     }
-    write_held_load(run_path.string(), pair.load);
+    write_held_load(working_path, pair.load);
     write_text_file(scene_path.string(), pair.scene_toml);
+    if (cells.publish())
+        throw Error(run_path.string() + ": the file cannot be given its name",
+                    "is the folder protected?", ExitCode::environment);
 
     const ContactLink& link = pair.frame.links.front();
     if (arguments.common.json)

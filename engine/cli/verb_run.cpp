@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -47,6 +48,12 @@ Task task_of(const RunArguments& arguments) {
     Task task{scene::parse_scene(reader.header()->resolved_scene, "scene in " + reader.path(),
                                  common.overrides()),
               reader.changes()};
+    const std::vector<scene::Override> changed = common.overrides();
+    if (std::ranges::none_of(changed,
+                             [](const auto& change) { return change.key == "cells.file"; }))
+        refuse_cells_beside_a_scene(task.scene, arguments.scene,
+                                    "run its scene, or say where they are: --set "
+                                    "'cells.file=\"FOLDER/CELLS.h5\"'");
     task.scene.file =
         reader.header()->scene_name;  // the run that is made has the name of its first
     return task;

@@ -377,6 +377,14 @@ bool is_file_name(const std::string& name) {
     });
 }
 
+void check_start(const Draft& draft) {
+    if (!draft.scene.start) return;
+    const auto& [x, y, z] = draft.scene.start->turn_axis;
+    if (!(x * x + y * y + z * z > 0.0))
+        throw Error(loc_of(draft, "start.turn_axis"),
+                    "start.turn_axis wants a vector that is not zero");
+}
+
 void resolve_pictures(Draft& draft) {
     Scene& scene = draft.scene;
     std::vector<std::string>& fields = scene.measures.fields;
@@ -392,6 +400,9 @@ void resolve_pictures(Draft& draft) {
                         fmt::format("a picture's name is made of letters, digits, '_' and '-', as "
                                     "it names files; got \"{}\"",
                                     picture.name));
+        if (picture.name == "all")
+            throw Error(picture.loc,
+                        "no picture can be named \"all\": --picture all means each one");
         if (!names.insert(picture.name).second)
             throw Error(picture.loc,
                         fmt::format("two pictures have the name \"{}\"", picture.name));
@@ -460,6 +471,7 @@ void resolve(Draft& draft) {
     resolve_times(draft);
     check_surroundings(draft);
     check_stages(draft);
+    check_start(draft);
     resolve_indentation(draft);
     resolve_stage_meshes(draft);
     check_measures(draft);

@@ -30,8 +30,7 @@ void make_sliver(const MeshTopology::Triangle& triangle, double height_um, std::
 
 Mat3 start_rotation(const scene::Start& start) {
     const Vec3 axis = vector_of(start.turn_axis);
-    if (axis.norm() == 0.0)
-        throw Error(start.loc, "start.turn_axis wants a direction, got [0, 0, 0]");
+    SPHEROSCOPE_ASSERT(axis.norm() > 0.0, "scenes with another axis are refused");
     return Eigen::AngleAxisd(start.turn_rad, axis.normalized()).toRotationMatrix();
 }
 

@@ -58,6 +58,17 @@ TEST_F(DiffVerb, WritesASheetAlsoWhenThePicturesDiffer) {
     EXPECT_EQ(call({"diff", "sheet.png", "sheet.png"}).code, 0);
 }
 
+TEST_F(DiffVerb, DoesNotReplaceAPictureThatItReads) {
+    for (const std::string name : {"square.png", "./square_other.png"}) {
+        const auto written = fs::last_write_time(path(name));
+        const Outcome outcome = call({"diff", "square.png", "square_other.png", "-o", name});
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_NE(outcome.err.find(name + ": this file is read here"), std::string::npos)
+            << outcome.err;
+        EXPECT_EQ(fs::last_write_time(path(name)), written);
+    }
+}
+
 TEST_F(DiffVerb, OfPicturesThatCannotBeComparedSaysWhy) {
     diff({"square.png", "square_other.png", "-o", "sheet.png"}, 4);
     const Outcome sizes = call({"diff", "square.png", "sheet.png"});

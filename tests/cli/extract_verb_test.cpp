@@ -66,5 +66,45 @@ TEST_F(ExtractVerb, ForcesOnNodesOfAnExtractedPairAreRefusedBecauseTheHeldOnesAr
     EXPECT_NE(outcome.err.find("[load.held]"), std::string::npos) << outcome.err;
 }
 
+TEST_F(ExtractVerb, ARunWithCellsOfAFileIsNotRepeatedWithThoseThatLieWhereItIsCalled) {
+    const std::string name =
+        document({"inspect", "o/run.h5", "--json", "--quiet"})["contacts"][0]["contact"];
+    std::filesystem::create_directories(path("a"));
+    ASSERT_EQ(
+        call({"extract", "o/run.h5", "--contact", name, "-o", "a/pair.toml", "--duration", "0.1 s"})
+            .code,
+        0);
+    const json run =
+        document({"run", "a/pair.toml", "-o", "first", "--quiet", "--threads", "1", "--json"});
+    std::filesystem::copy_file(path("o/run.h5"), path("pair.h5"));  // other cells
+    const Outcome refused = call({"run", "first/run.h5", "-o", "again", "--quiet"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("began with the cells of pair.h5"), std::string::npos)
+        << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(path("again")));
+    const json again = document({"run", "first/run.h5", "-o", "again", "--quiet", "--threads", "1",
+                                 "--json", "--set", "cells.file=\"a/pair.h5\""});
+    EXPECT_EQ(again["state_hash"], run["state_hash"]);
+}
+
+TEST_F(ExtractVerb, DoesNotReplaceTheRunThatItReads) {
+    const Outcome outcome =
+        call({"extract", "o/run.h5", "--contact", "0-1", "-o", "o/run.toml", "--overwrite"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("o/run.h5: this file is read here"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(call({"info", "o/run.h5"}).code, 0);
+}
+
+TEST_F(ExtractVerb, LeavesNothingWhereItsSceneCannotBeWritten) {
+    const std::string name =
+        document({"inspect", "o/run.h5", "--json", "--quiet"})["contacts"][0]["contact"];
+    std::filesystem::create_directories(path("pair.toml/taken"));
+    EXPECT_EQ(
+        call({"extract", "o/run.h5", "--contact", name, "-o", "pair.toml", "--overwrite"}).code, 5);
+    EXPECT_EQ(names_in("."),
+              (std::vector<std::string>{".err.txt", ".out.txt", "o", "pair.toml", "scene.toml"}));
+}
+
 }  // namespace
 }  // namespace spheroscope

@@ -2,6 +2,7 @@
 #include "render/layers/plot_strip.hpp"
 #include "render/movie.hpp"
 #include "render/movie_writer.hpp"
+#include "render/mp4_boxes.hpp"
 #include "render/png.hpp"
 #include "render/provenance.hpp"
 #include "tests/render/drifting_pair.hpp"
@@ -186,6 +187,34 @@ TEST(Movie, WhoseFfmpegDiesIsAnErrorWithItsLastWordsAndThePicturesStay) {
     EXPECT_EQ(count_files(settings.frames_folder), 8);
     EXPECT_FALSE(fs::exists(settings.movie_path));
     EXPECT_FALSE(fs::exists(settings.movie_path.string() + ".partial"));
+}
+
+TEST(Movie, WhoseFfmpegSaysThatAllIsWellAndLeavesHalfAFileIsAnError) {
+    const TemporaryFolder folder, programs;
+    DriftingPair frames(4);
+    const MovieSettings settings = settings_in(folder.path());
+    make_movie(frames, settings);
+    EXPECT_EQ(problem_of_mp4(settings.movie_path), "");
+    // a full disk at the end: the first half of a movie, and success
+    const fs::path whole = programs.path() / "whole.mp4", fake = programs.path() / "ffmpeg";
+    fs::rename(settings.movie_path, whole);
+    for (const std::string share : {"2", "100000"}) {
+        std::ofstream(fake) << "#!/bin/sh\nPATH=/usr/bin:/bin\nfor last; do :; done\n"
+                            << "cat > /dev/null\nsize=$(wc -c < " << whole << ")\n"
+                            << "head -c $((size / " << share << ")) " << whole << " > \"$last\"\n";
+        fs::permissions(fake, fs::perms::owner_all);
+        DriftingPair again(4);
+        const PathIs path(programs.path());
+        try {
+            make_movie(again, settings);
+            FAIL() << "no error";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::environment);
+            EXPECT_NE(std::string(error.what()).find("the file was cut short"), std::string::npos)
+                << error.what();
+        }
+        EXPECT_FALSE(fs::exists(settings.movie_path));
+    }
 }
 
 TEST(Movie, WhoseFfmpegDiesSaysWhatHelpsAgainstThatCause) {

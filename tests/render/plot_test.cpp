@@ -404,5 +404,18 @@ TEST(Plot, WithoutAPanelIsRefused) {
     EXPECT_THROW(draw_plot({}, "/nowhere/a.png", "/nowhere/a.svg"), Error);
 }
 
+TEST(Plot, OfValuesThatDifferInTheirLastDigitsEnds) {
+    const TemporaryFolder folder;
+    const auto png = folder.path() / "plot.png", svg = folder.path() / "plot.svg";
+    for (const double value : {6.461538461538462, -6.461538461538462, 3e15}) {
+        reports::Plot plot = two_panels();
+        plot.panels.resize(1);
+        plot.panels[0].x_axis.is_logarithmic = plot.panels[0].y_axis.is_logarithmic = false;
+        plot.panels[0].series[0].y = {value, std::nextafter(value, 1e16), value};
+        draw_plot(plot, png, svg);
+        EXPECT_GT(share_of(read_png(png).image, {0, 114, 178}), 5e-4) << value;
+    }
+}
+
 }  // namespace
 }  // namespace spheroscope::render

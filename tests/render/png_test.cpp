@@ -59,6 +59,27 @@ TEST(Png, RefusesACutFileADamagedFileAndAForeignFile) {
     EXPECT_TRUE(refuses(""));
 }
 
+TEST(Png, OfSixteenBitsIsRefusedAsHalfOfThemWouldBeLost) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "deep.png";
+    // one grey pixel, 0x1234
+    const unsigned char bytes[] = {0x89, 'P',  'N',  'G',  '\r', '\n', 0x1a, '\n', 0,    0,    0,
+                                   13,   'I',  'H',  'D',  'R',  0,    0,    0,    1,    0,    0,
+                                   0,    1,    16,   0,    0,    0,    0,    0x6a, 0xee, 0x47, 0x16,
+                                   0,    0,    0,    0x0b, 'I',  'D',  'A',  'T',  0x78, 0x9c, 0x63,
+                                   0x10, 0x32, 0x01, 0,    0,    0x5c, 0,    0x47};
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes), sizeof(bytes));
+    try {
+        static_cast<void>(read_png(path));
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("8 bits a channel is wanted, got 16"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(Png, ThatCannotBeWrittenIsAnErrorAndLeavesNothing) {
     const TemporaryFolder folder;
     EXPECT_THROW(write_png(folder.path() / "missing" / "a.png", gradient()), Error);

@@ -242,7 +242,14 @@ TEST(SceneResolution, FieldsOfPicturesAreMeasured) {
     EXPECT_EQ(scene.measures.fields, (std::vector<std::string>{"a", "b"}));
 }
 
+TEST(SceneResolution, AnAxisToTurnAboutIsADirection) {
+    EXPECT_EQ(refusal(k_drop + "[start]\nturn_axis = [0, 0, 0]\n"),
+              "a.toml:14:1: error: start.turn_axis wants a vector that is not zero");
+}
+
 TEST(SceneResolution, PicturesThatContradictThemselvesAreRefused) {
+    EXPECT_EQ(refusal(k_drop + "[[picture]]\nname = \"all\"\n"),
+              "a.toml:13:1: error: no picture can be named \"all\": --picture all means each one");
     EXPECT_EQ(refusal(k_drop + "[[picture]]\n[[picture]]\n"),
               "a.toml:14:1: error: two pictures have the name \"main\"");
     EXPECT_EQ(refusal(k_drop + "[[picture]]\nname = \"a/b\"\n"),

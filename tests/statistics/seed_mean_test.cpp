@@ -29,5 +29,13 @@ TEST(SeedMean, OfNothingIsUndefined) {
     EXPECT_EQ(estimate.n, 0);
 }
 
+TEST(SeedMean, OfTheSameNumberInAllSeedsHasNoErrorOfItsRounding) {
+    const double Z = 6.461538461538462;  // three of it, over three, are another number
+    const Estimate estimate = mean_over_seeds(std::array{Z, k_nan, Z, Z});
+    EXPECT_EQ(estimate.mean, Z);
+    EXPECT_EQ(estimate.standard_error, 0.0);
+    EXPECT_EQ(estimate.n, 3);
+}
+
 }  // namespace
 }  // namespace spheroscope::statistics
